@@ -1,0 +1,127 @@
+#include "compiler/aspects/observer.h"
+
+#include <algorithm>
+#include <map>
+
+namespace aspect {
+namespace {
+
+// What the pixels of one region add up to.
+struct RegionPoints {
+  double x = 0, y = 0, z = 0;  // camera coordinates
+  double pixels = 0;
+  std::map<std::uint16_t, std::uint32_t> surfaces;
+};
+
+void add_run(const Run& run, const Picture& picture, const Intrinsics& camera,
+             RegionPoints& points) {
+  const std::size_t row = static_cast<std::size_t>(run.row) *
+                          static_cast<std::size_t>(picture.width_px);
+  const double slope_y = (run.row - camera.cy_px) / camera.fy_px;
+  std::uint16_t surface = 0;
+  std::uint32_t length = 0;
+  const auto count_surface = [&] {
+    if (length > 0 && surface != 0) points.surfaces[surface] += length;
+    length = 0;
+  };
+  for (int x = run.begin; x < run.end; ++x) {
+    const std::size_t i = row + static_cast<std::size_t>(x);
+    if (picture.surface[i] != surface) {
+      count_surface();
+      surface = picture.surface[i];
+    }
+    ++length;
+    if (surface == 0) continue;
+    const auto depth = static_cast<double>(picture.depth[i]);
+    points.x += (x - camera.cx_px) / camera.fx_px * depth;
+    points.y += slope_y * depth;
+    points.z += depth;
+    points.pixels += 1;
+  }
+  count_surface();
+}
+
+}  // namespace
+
+Observer::Observer(const Renderer& renderer, const Studio& studio,
+                   const VisionParameters& parameters)
+    : renderer_(&renderer), studio_(studio), parameters_(parameters) {
+  parameters_.one_blob = true;
+  Arena count;
+  vision_.prepare(count, studio.width_px, studio.height_px);
+  memory_.resize(count.used_bytes() + 64);
+  void* first = memory_.data();
+  std::size_t space = memory_.size();
+  std::align(64, count.used_bytes(), first, space);
+  Arena arena({static_cast<std::byte*>(first), count.used_bytes()});
+  vision_.prepare(arena, studio.width_px, studio.height_px);
+}
+
+ObservedView Observer::observe(const Eigen::Vector3d& direction) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const Camera camera = camera_at(studio_, direction);
+  renderer_->render(camera, picture_);
+  const auto rendered = Clock::now();
+  render_time_ += rendered - start;
+  const Frame frame{picture_.rgb.data(), picture_.width_px, picture_.height_px,
+                    3 * static_cast<std::ptrdiff_t>(picture_.width_px), PixelFormat::rgb8};
+  graph_ = vision_.run(frame, parameters_);
+  ObservedView view;
+  view.direction = direction;
+  if (!graph_.blobs.empty()) {
+    const Blob& blob = graph_.blobs.front();
+    view.area_px = blob.area_px;
+    for (const Contour& contour : graph_.contours) {
+      ObservedContour observed;
+      observed.feature = feature_of(contour, blob);
+      observed.external = contour.external;
+      observed.shape = contour.shape;
+      observed.area_px = contour.area_px;
+      view.contours.push_back(std::move(observed));
+    }
+    locate_contours(camera, view);
+  }
+  feature_time_ += Clock::now() - rendered;
+  return view;
+}
+
+void Observer::locate_contours(const Camera& camera, ObservedView& view) {
+  const RegionMap& map = vision_.regions();
+  std::vector<RegionPoints> points(map.regions.size() + 1);
+  for (const Run& run : map.runs)
+    if (run.label != 0) add_run(run, picture_, camera.intrinsics, points[run.label]);
+  for (std::size_t i = 0; i < view.contours.size(); ++i) {
+    const RegionPoints& region = points[graph_.contours[i].region];
+    ObservedContour& contour = view.contours[i];
+    const Eigen::Vector3d centre_camera =
+        Eigen::Vector3d(region.x, region.y, region.z) / std::max(region.pixels, 1.0);
+    const Eigen::Vector3d centre = camera.camera_from_object.transpose() * centre_camera +
+                                   camera.position_object;
+    for (int axis = 0; axis < 3; ++axis)
+      contour.centre_object[static_cast<std::size_t>(axis)] = static_cast<float>(centre[axis]);
+    for (const auto& [surface, pixels] : region.surfaces)
+      contour.surfaces.push_back({surface, pixels});
+  }
+  // External contours first: they are the nodes that matching works with.
+  std::vector<std::uint16_t> place(view.contours.size());
+  std::vector<ObservedContour> sorted;
+  for (const bool external : {true, false}) {
+    for (std::size_t i = 0; i < view.contours.size(); ++i) {
+      if (view.contours[i].external != external) continue;
+      place[i] = static_cast<std::uint16_t>(sorted.size());
+      sorted.push_back(std::move(view.contours[i]));
+    }
+    if (external) view.external_count = sorted.size();
+  }
+  view.contours = std::move(sorted);
+  for (const Relation& relation : graph_.relations) {
+    Relation moved = relation;
+    moved.from = place[relation.from];
+    moved.to = place[relation.to];
+    if (moved.from < view.external_count && moved.to < view.external_count)
+      view.relations.push_back(moved);
+  }
+}
+
+}  // namespace aspect

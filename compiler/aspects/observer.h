@@ -1,0 +1,44 @@
+// From a camera position to a view graph: render, see, and look up where every contour lies.
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+#include "compiler/matching/observed_view.h"
+#include "compiler/render/renderer.h"
+#include "runtime/vision/vision.h"
+
+namespace aspect {
+
+// One a thread: owns the picture and the memory of the vision pipeline.
+class Observer {
+ public:
+  // Renderer and studio must outlive the observer.
+  Observer(const Renderer& renderer, const Studio& studio, const VisionParameters& parameters);
+
+  ObservedView observe(const Eigen::Vector3d& direction);
+
+  // Of the last view, for drawing and for evaluation.
+  const Picture& picture() const { return picture_; }
+  const ViewGraph& graph() const { return graph_; }
+  const RegionMap& regions() const { return vision_.regions(); }
+
+  std::chrono::nanoseconds render_time() const { return render_time_; }    // of all views so far
+  std::chrono::nanoseconds feature_time() const { return feature_time_; }
+
+ private:
+  void locate_contours(const Camera& camera, ObservedView& view);
+
+  const Renderer* renderer_;
+  Studio studio_;
+  VisionParameters parameters_;
+  Picture picture_;
+  std::vector<std::byte> memory_;
+  Vision vision_;
+  ViewGraph graph_;
+  std::chrono::nanoseconds render_time_{}, feature_time_{};
+};
+
+}  // namespace aspect

@@ -1,0 +1,74 @@
+// Adaptive subdivision of the viewing sphere (thesis 3.3.2): views are taken at the corners of
+// patches, and a patch whose corners do not match is split.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "compiler/aspects/compile_options.h"
+#include "compiler/aspects/observer.h"
+#include "compiler/matching/graph_match.h"
+#include "compiler/store/store.h"
+#include "compiler/viewsphere/viewsphere.h"
+#include "runtime/base/result.h"
+
+namespace aspect {
+
+struct Progress {
+  int level = 0;
+  std::size_t views_done = 0, views_wanted = 0;  // of this level
+  std::size_t views_total = 0;
+  double area_accepted = 0;  // share of the sphere in accepted patches so far
+  std::size_t clusters = 0;  // once known
+};
+using ShowProgress = std::function<void(const Progress&)>;
+
+// Every match that was computed, once for both directions.
+class MatchTable {
+ public:
+  // Null where the pair was never matched. The mapping goes from the lower vertex to the higher.
+  const GraphMatch* find(VertexId a, VertexId b) const;
+  void add(VertexId a, VertexId b, GraphMatch match);
+
+  // kNoMatch where the pair was never matched.
+  double cost(VertexId a, VertexId b) const;
+
+  std::size_t size() const { return matches_.size(); }
+
+ private:
+  std::unordered_map<std::uint64_t, GraphMatch> matches_;
+};
+
+struct Subdivision {
+  ViewSphere sphere;
+  std::vector<ObservedView> views;  // by vertex
+  MatchTable matches;
+  std::size_t match_calls = 0;       // pairs of equal node counts that were asked for
+  std::size_t matches_executed = 0;  // of those, computed in this run
+  std::size_t matches_gave_up = 0;
+  std::size_t views_rendered = 0;    // in this run; the others came from the store
+  std::chrono::nanoseconds render_time{}, feature_time{}, match_time{};  // summed over threads
+};
+
+// The corners of a patch match each other within a threshold.
+bool is_uniform(const Subdivision& subdivision, const Patch& patch, double threshold);
+
+// What one run works with. All but the store may be shared.
+struct Workshop {
+  const Renderer& renderer;
+  const Studio& studio;
+  const CompileOptions& options;
+  Store* store = nullptr;              // null: nothing is kept
+  ShowProgress show_progress;          // may be empty
+  const std::atomic<bool>* stop = nullptr;  // set by a signal: finish at the next chance
+};
+
+// Same result for any number of threads. An error where the store fails or `stop` was set.
+Result<Subdivision> subdivide(const Workshop& workshop);
+
+}  // namespace aspect

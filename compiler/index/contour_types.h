@@ -1,0 +1,22 @@
+// Contour types: K prototypes of contours by unsupervised clustering (thesis 3.4.3).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/vision/feature.h"
+
+namespace aspect {
+
+// At most `count` centres: Lloyd's k-means from k-means++ starts (Arthur and Vassilvitskii 2007)
+// with a fixed seed, on at most 200,000 evenly picked samples, with sums in a fixed order: the same
+// samples give the same bits for any number of threads. Fewer where there are fewer different
+// samples. O(samples * count * rounds).
+std::vector<TypeAttributes> find_contour_types(std::span<const TypeAttributes> samples,
+                                               std::size_t count);
+
+// Ties go to the lower type.
+std::uint16_t nearest_type(std::span<const TypeAttributes> types, const TypeAttributes& sample);
+
+}  // namespace aspect

@@ -1,0 +1,172 @@
+#include "compiler/index/index_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/index/sphere_map.h"
+#include "runtime/recognition/class_index.h"
+#include "schema/class_index_generated.h"
+
+namespace aspect {
+namespace {
+
+namespace fb = ::aspect::schema;
+
+// Closer key views than this do not make the answer better: measured in tools/bench/RESULTS.md.
+constexpr double kFinestSpacing_deg = 5, kCoarsestSpacing_deg = 60, kSpacingStep = 1.15;
+constexpr std::size_t kMostMapBytes = 16 * 1024;
+
+std::size_t number(VertexId vertex) { return static_cast<std::size_t>(vertex); }
+
+template <typename Integer>
+Integer packed(double value, double unit) {
+  constexpr auto kLow = static_cast<double>(std::numeric_limits<Integer>::min());
+  constexpr auto kHigh = static_cast<double>(std::numeric_limits<Integer>::max());
+  return static_cast<Integer>(std::lround(std::clamp(value * unit, kLow, kHigh)));
+}
+std::int16_t packed_short(float value, double unit) {
+  return packed<std::int16_t>(static_cast<double>(value), unit);
+}
+
+fb::Direction packed_direction(const Eigen::Vector3d& d) {
+  return {packed<std::int16_t>(d.x(), 32767), packed<std::int16_t>(d.y(), 32767),
+          packed<std::int16_t>(d.z(), 32767)};
+}
+
+fb::KeyContour packed_contour(const ContourFeature& f, std::uint8_t name) {
+  const Moments& m = f.moments;
+  return {packed_short(f.position.x, 8192), packed_short(f.position.y, 8192),
+          packed<std::uint16_t>(static_cast<double>(f.area), 65535),
+          packed_short(m.xx, 4096), packed_short(m.xy, 4096), packed_short(m.yy, 4096),
+          packed_short(m.xxx, 16384), packed_short(m.xxy, 16384), packed_short(m.xyy, 16384),
+          packed_short(m.yyy, 16384), name};
+}
+
+struct Arrays {
+  std::vector<fb::AspectClass> classes;
+  std::vector<fb::ClassContour> contours;
+  std::vector<fb::TypeScore> scores;
+  std::vector<std::uint16_t> surfaces;
+  std::vector<fb::KeyView> key_views;
+  std::vector<fb::KeyContour> key_contours;
+};
+
+void add_contour(const ContourDescription& c, Arrays& arrays) {
+  const auto share = [&](std::size_t channel) { return packed<std::uint8_t>(c.share[channel], 255); };
+  arrays.contours.emplace_back(
+      static_cast<std::uint32_t>(arrays.scores.size()),
+      static_cast<std::uint16_t>(c.score_of_type.size()),
+      static_cast<std::uint16_t>(arrays.surfaces.size()),
+      static_cast<std::uint8_t>(std::min<std::size_t>(c.surfaces.size(), 255)), share(0), share(1),
+      share(2), static_cast<float>(c.centre_object.x()), static_cast<float>(c.centre_object.y()),
+      static_cast<float>(c.centre_object.z()));
+  for (const auto& [type, score] : c.score_of_type)
+    arrays.scores.emplace_back(static_cast<float>(score), type, std::uint16_t{0});
+  // 16-bit places; a contour beyond them keeps no surfaces.
+  if (arrays.surfaces.size() + c.surfaces.size() <= 65535)
+    arrays.surfaces.insert(arrays.surfaces.end(), c.surfaces.begin(),
+                           c.surfaces.begin() + static_cast<std::ptrdiff_t>(
+                                                    std::min<std::size_t>(c.surfaces.size(), 255)));
+}
+
+Arrays fill_arrays(const IndexContents& contents, std::size_t class_count, double spacing_deg) {
+  Arrays arrays;
+  for (std::size_t c = 0; c < class_count; ++c) {
+    const Cluster& cluster = contents.clusters[c];
+    const ClassDescription& description = contents.classes[c];
+    const std::vector<std::size_t> keys =
+        choose_key_views(contents.subdivision, cluster, description.typical_view,
+                         spacing_deg * std::numbers::pi / 180);
+    const Eigen::Vector3d& typical =
+        contents.subdivision.sphere.position(cluster.views[description.typical_view].vertex);
+    arrays.classes.emplace_back(static_cast<std::uint32_t>(arrays.contours.size()),
+                                static_cast<std::uint32_t>(cluster.contour_count),
+                                static_cast<std::uint32_t>(arrays.key_views.size()),
+                                static_cast<std::uint32_t>(keys.size()),
+                                static_cast<float>(cluster.area_fraction),
+                                static_cast<std::uint32_t>(description.view_count),
+                                packed_direction(typical));
+    for (const ContourDescription& contour : description.contours) add_contour(contour, arrays);
+    for (const std::size_t key : keys) {
+      const ClusterView& view = cluster.views[key];
+      const ObservedView& observed = contents.subdivision.views[number(view.vertex)];
+      arrays.key_views.emplace_back(static_cast<std::uint32_t>(arrays.key_contours.size()),
+                                    static_cast<std::uint16_t>(cluster.contour_count),
+                                    packed_direction(observed.direction));
+      for (std::size_t i = 0; i < cluster.contour_count; ++i)
+        arrays.key_contours.push_back(packed_contour(observed.contours[i].feature, view.names[i]));
+    }
+  }
+  return arrays;
+}
+
+std::vector<std::uint8_t> map_of(const IndexContents& contents, std::size_t class_count) {
+  std::vector<std::int32_t> class_of(contents.subdivision.sphere.patch_count(), kNoClass);
+  for (std::size_t c = 0; c < class_count; ++c)
+    for (const PatchId patch : contents.clusters[c].patches)
+      class_of[static_cast<std::size_t>(patch)] = static_cast<std::int32_t>(c);
+  return encode_sphere_map_within(contents.subdivision.sphere, class_of, class_count,
+                                  std::min(kMostMapBytes, contents.options.max_index_bytes / 4));
+}
+
+std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays& arrays,
+                                    const std::vector<std::uint8_t>& map) {
+  const CompileOptions& options = contents.options;
+  const VisionParameters& v = options.vision;
+  flatbuffers::FlatBufferBuilder builder(64 * 1024);
+  builder.ForceDefaults(true);
+  const auto provenance = fb::CreateProvenance(
+      builder, builder.CreateString("aspectc"), contents.scene_hash,
+      static_cast<std::uint8_t>(options.level), static_cast<std::uint8_t>(options.min_level),
+      options.threshold, options.cluster_threshold);
+  const auto segmentation = fb::CreateSegmentation(
+      builder, static_cast<std::uint16_t>(v.intensity_min),
+      static_cast<std::uint8_t>(v.chroma_step), static_cast<std::uint8_t>(v.noise_steps),
+      static_cast<std::uint16_t>(v.intensity_step), static_cast<std::uint32_t>(v.area_min_px),
+      v.thickness_min_px, v.smooth);
+  std::vector<float> types;
+  for (const TypeAttributes& type : contents.types) types.insert(types.end(), type.begin(), type.end());
+  const Studio& studio = contents.scene.studio;
+  const auto root = fb::CreateClassIndex(
+      builder, kIndexFormatVersion, 0, builder.CreateString(contents.scene.name), provenance,
+      segmentation, static_cast<fb::Scoring>(options.scoring),
+      static_cast<float>(studio.angle_deg), static_cast<std::uint16_t>(studio.width_px),
+      static_cast<std::uint16_t>(studio.height_px), static_cast<std::uint16_t>(kTypeDimensions),
+      builder.CreateVector(types), builder.CreateVectorOfStructs(arrays.classes),
+      builder.CreateVectorOfStructs(arrays.contours), builder.CreateVectorOfStructs(arrays.scores),
+      builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
+      builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map));
+  fb::FinishClassIndexBuffer(builder, root);
+  std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
+                                  builder.GetBufferPointer() + builder.GetSize());
+  auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
+  const auto offset = static_cast<std::size_t>(
+      table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM) - bytes.data());
+  const std::uint64_t checksum = index_checksum(std::as_bytes(std::span(bytes)), offset);
+  table->SetField(fb::ClassIndex::VT_CHECKSUM, checksum, std::uint64_t{0});
+  return bytes;
+}
+
+}  // namespace
+
+WrittenIndex write_index(const IndexContents& contents) {
+  WrittenIndex written;
+  written.class_count = contents.clusters.size();
+  written.key_view_spacing_deg = kFinestSpacing_deg;
+  for (;;) {
+    const Arrays arrays = fill_arrays(contents, written.class_count, written.key_view_spacing_deg);
+    written.bytes = serialise(contents, arrays, map_of(contents, written.class_count));
+    written.key_view_count = arrays.key_views.size();
+    if (written.bytes.size() <= contents.options.max_index_bytes || written.class_count == 0) break;
+    if (written.key_view_spacing_deg < kCoarsestSpacing_deg)
+      written.key_view_spacing_deg *= kSpacingStep;
+    else
+      written.class_count -= std::max<std::size_t>(written.class_count / 20, 1);
+  }
+  for (const Cluster& cluster : contents.clusters.first(written.class_count))
+    written.area_fraction += cluster.area_fraction;
+  return written;
+}
+
+}  // namespace aspect

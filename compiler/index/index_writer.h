@@ -1,0 +1,36 @@
+// The class index as bytes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/index/class_model.h"
+#include "compiler/scene/scene.h"
+
+namespace aspect {
+
+struct IndexContents {
+  const Scene& scene;
+  std::uint64_t scene_hash = 0;
+  const CompileOptions& options;
+  const Subdivision& subdivision;
+  std::span<const Cluster> clusters;
+  std::span<const ClassDescription> classes;  // one a cluster
+  std::span<const TypeAttributes> types;
+};
+
+struct WrittenIndex {
+  std::vector<std::uint8_t> bytes;
+  std::size_t class_count = 0;     // fewer than were found where the budget demands it
+  std::size_t key_view_count = 0;
+  double area_fraction = 0;        // of the classes kept
+  double key_view_spacing_deg = 0;
+};
+
+// Keeps within options.max_index_bytes: key views are taken farther apart, and where one a class
+// is still too much, the smallest classes are left out. The same contents give the same bytes.
+WrittenIndex write_index(const IndexContents& contents);
+
+}  // namespace aspect

@@ -1,0 +1,6 @@
+/* BLOCKCYL2. Unique colours */
+#define STUDIO_ANGLE 50
+#include studio.bo
+#include blockcyl2.bc
+#include blockcyl.bo
+transform { scale .12 } BLOCKCYL_CENTRED transform_pop

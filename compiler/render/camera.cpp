@@ -1,0 +1,49 @@
+#include "compiler/render/camera.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace aspect {
+namespace {
+
+// Depends on `up` only, so that all views of a scene share it.
+Eigen::Vector3d stand_in_for(const Eigen::Vector3d& up) {
+  Eigen::Index axis = 0;
+  up.cwiseAbs().minCoeff(&axis);
+  return Eigen::Vector3d::Unit(axis);
+}
+
+}  // namespace
+
+Intrinsics intrinsics_of(const Studio& studio) {
+  Intrinsics result;
+  result.width_px = studio.width_px;
+  result.height_px = studio.height_px;
+  const double half_angle = studio.angle_deg * std::numbers::pi / 360;
+  result.fx_px = studio.width_px / (2 * std::tan(half_angle));
+  result.fy_px = result.fx_px * studio.aspect * studio.height_px / studio.width_px;
+  result.cx_px = (studio.width_px - 1) / 2.0;
+  result.cy_px = (studio.height_px - 1) / 2.0;
+  return result;
+}
+
+Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object, double distance) {
+  // Below this sine the rounding of `up` would choose the camera's roll.
+  constexpr double kParallel = 1e-9;
+
+  const Eigen::Vector3d z = -direction_object;
+  Eigen::Vector3d x = z.cross(studio.up);
+  if (x.norm() <= kParallel * studio.up.norm()) x = z.cross(stand_in_for(studio.up));
+  x.normalize();
+
+  Camera camera;
+  camera.intrinsics = intrinsics_of(studio);
+  camera.camera_from_object.row(0) = x;
+  camera.camera_from_object.row(1) = z.cross(x);
+  camera.camera_from_object.row(2) = z;
+  camera.position_object = studio.at + distance * direction_object;
+  return camera;
+}
+
+}  // namespace aspect

@@ -1,0 +1,33 @@
+// The camera of a view: a pinhole on the viewing sphere.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "compiler/scene/scene.h"
+
+namespace aspect {
+
+// Pixel centres are at whole numbers; x right, y down, z forward (OpenCV's convention).
+struct Intrinsics {
+  int width_px = 512;
+  int height_px = 512;
+  double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;
+};
+
+struct Camera {
+  Intrinsics intrinsics;
+  Eigen::Matrix3d camera_from_object;  // rotation
+  Eigen::Vector3d position_object;     // camera centre in object coordinates
+};
+
+// fx = width / 2 / tan(angle / 2); square pixels unless the studio's aspect differs from the
+// resolution's.
+Intrinsics intrinsics_of(const Studio& studio);
+
+// The camera at studio.at + distance * direction_object (a unit vector), looking at studio.at with
+// studio.up upwards: z = -direction, x = normalised cross(z, up), y = cross(z, x). Where up is
+// parallel to the direction, another axis stands in for it, always the same one.
+Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object,
+                 double distance = 1.0);
+
+}  // namespace aspect

@@ -1,0 +1,53 @@
+// A scene in Embree's hands: built once, traced by any number of threads.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/render/ear_clipping.h"
+#include "compiler/render/round_shapes.h"
+#include "compiler/scene/scene.h"
+#include "runtime/base/result.h"
+
+namespace aspect {
+
+class EmbreeScene {
+ public:
+  // `triangles` holds those of every polygon by primitive. Fails with Embree's own words.
+  static Result<EmbreeScene> create(const Scene& scene,
+                                    std::span<const std::vector<Triangle>> triangles);
+
+  EmbreeScene(EmbreeScene&& other) noexcept;
+  EmbreeScene& operator=(EmbreeScene&& other) noexcept;
+  ~EmbreeScene();
+
+  // Both take the lanes whose `valid` is -1; the rays of a packet should be neighbours.
+  void intersect(const int* valid, RTCRayHit16& packet) const;
+  void occlude(const int* valid, RTCRay16& packet) const;
+
+  // The scene's primitive behind a hit's two ids.
+  std::int32_t primitive_of(unsigned geometry, unsigned part) const {
+    return primitives_[first_part_[geometry] + part];
+  }
+
+ private:
+  EmbreeScene() = default;
+  void add_polygons(const Scene& scene, std::span<const std::vector<Triangle>> triangles);
+  template <typename Shape, typename Rounded>
+  void add_round_shapes(const Scene& scene, double overlap, std::vector<Rounded>& shapes);
+  void add(RTCGeometry geometry);
+
+  RTCDevice device_ = nullptr;
+  RTCScene scene_ = nullptr;
+  std::vector<RoundSphere> spheres_;
+  std::vector<RoundRing> rings_;
+  std::vector<RoundCone> cones_;
+  std::vector<std::int32_t> primitives_;    // by part, the parts of geometry 0 first
+  std::vector<std::uint32_t> first_part_;   // by geometry
+};
+
+}  // namespace aspect

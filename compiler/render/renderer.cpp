@@ -1,0 +1,143 @@
+// A view in three steps: the tile map says which tiles are background, which show one flat surface
+// and which need rays; the first two are filled, the others traced.
+// Figures (512x512, one core, AVX-512): all 90,000 rays of the cube's rectangle through bare Embree
+// take 0.8 ms; this way 1 in 9 is traced.
+#include "compiler/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <limits>
+
+#include "compiler/render/ear_clipping.h"
+#include "compiler/render/embree_scene.h"
+#include "compiler/render/pixel_writer.h"
+#include "compiler/render/scene_outline.h"
+#include "compiler/render/shading.h"
+#include "compiler/render/tile_tracer.h"
+
+namespace aspect {
+namespace {
+
+constexpr std::size_t kMaxPrimitives = std::numeric_limits<std::uint16_t>::max() - 1;
+
+// What is wrong with a shape; null where nothing is.
+struct Fault {
+  const char* operator()(const Polygon& polygon) const {
+    if (polygon.vertices.size() < 3) return "a polygon of fewer than 3 vertices";
+    for (const Eigen::Vector3d& vertex : polygon.vertices)
+      if (!vertex.allFinite()) return kNotFinite;
+    return nullptr;
+  }
+  const char* operator()(const Sphere& sphere) const {
+    return sphere.center.allFinite() && std::isfinite(sphere.radius) ? nullptr : kNotFinite;
+  }
+  const char* operator()(const Ring& ring) const {
+    if (!ring.center.allFinite() || !ring.normal.allFinite()) return kNotFinite;
+    return std::isfinite(ring.min_radius) && std::isfinite(ring.max_radius) ? nullptr : kNotFinite;
+  }
+  const char* operator()(const Cone& cone) const {
+    if (!cone.base.allFinite() || !cone.apex.allFinite()) return kNotFinite;
+    if (!std::isfinite(cone.base_radius) || !std::isfinite(cone.apex_radius)) return kNotFinite;
+    return cone.base == cone.apex ? "a cone without length" : nullptr;
+  }
+
+  static constexpr const char* kNotFinite = "a number that is not finite";
+};
+
+// Empty where the scene can be rendered.
+std::string fault_of(const Scene& scene) {
+  if (scene.primitives.empty()) return "nothing to render; a scene needs a primitive";
+  if (scene.primitives.size() > kMaxPrimitives)
+    return fmt::format("{} primitives; at most {} can be told apart", scene.primitives.size(),
+                       kMaxPrimitives);
+  for (std::size_t k = 0; k < scene.primitives.size(); ++k) {
+    const Primitive& primitive = scene.primitives[k];
+    if (primitive.surface < 0 ||
+        static_cast<std::size_t>(primitive.surface) >= scene.surfaces.size())
+      return fmt::format("primitive {} has surface {}; there are {}", k, primitive.surface,
+                         scene.surfaces.size());
+    if (const char* fault = std::visit(Fault{}, primitive.shape))
+      return fmt::format("primitive {} has {}", k, fault);
+  }
+  return {};
+}
+
+void resize(Picture& picture, const Intrinsics& intrinsics) {
+  picture.width_px = intrinsics.width_px;
+  picture.height_px = intrinsics.height_px;
+  const std::size_t pixels = static_cast<std::size_t>(picture.width_px) *
+                             static_cast<std::size_t>(picture.height_px);
+  picture.rgb.resize(3 * pixels);
+  picture.surface.resize(pixels);
+  picture.depth.resize(pixels);
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  EmbreeScene embree;
+  SceneOutline outline;
+  Shading shading;
+  Rgb background;
+
+  void draw_run(const TileMap& tiles, const Box& run, std::int32_t owner, TileTracer& tracer,
+                PixelWriter& writer) const;
+};
+
+Result<Renderer> Renderer::create(const Scene& scene) {
+  if (const std::string fault = fault_of(scene); !fault.empty())
+    return Error{scene.name + ": " + fault};
+  std::vector<std::vector<Triangle>> triangles(scene.primitives.size());
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+    if (const auto* polygon = std::get_if<Polygon>(&scene.primitives[k].shape))
+      triangles[k] = triangulate(polygon->vertices);
+
+  Result<EmbreeScene> embree = EmbreeScene::create(scene, triangles);
+  if (!embree) return Error{scene.name + ": " + embree.error()};
+  return Renderer(std::unique_ptr<Impl>(
+      new Impl{std::move(embree).value(), outline_of(scene, triangles), Shading(scene),
+               to_8_bit(scene.studio.background)}));
+}
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+void Renderer::render(const Camera& camera, Picture& picture) const {
+  resize(picture, camera.intrinsics);
+  TileMap& tiles = picture.tiles;
+  tiles.classify(impl_->outline, camera);
+  picture.foreground = tiles.foreground();
+
+  PixelWriter writer(picture);
+  TileTracer tracer(impl_->embree, impl_->shading, impl_->background, camera);
+  for (int row = 0; row < tiles.rows(); ++row) {
+    const std::int32_t* owners = tiles.row(row);
+    for (int begin = 0, end = 0; begin < tiles.columns(); begin = end) {
+      while (end < tiles.columns() && owners[end] == owners[begin]) ++end;
+      const int x = begin * TileMap::kTile, y = row * TileMap::kTile;
+      const Box run = {x, y, std::min(end * TileMap::kTile, picture.width_px) - x,
+                       std::min(TileMap::kTile, picture.height_px - y)};
+      impl_->draw_run(tiles, run, owners[begin], tracer, writer);
+    }
+  }
+}
+
+// Tiles side by side with the same owner. Light differs from pixel to pixel, so that with lights
+// only the background is filled.
+void Renderer::Impl::draw_run(const TileMap& tiles, const Box& run, std::int32_t owner,
+                              TileTracer& tracer, PixelWriter& writer) const {
+  if (owner == TileMap::kNothing) {
+    writer.fill_background(run, background);
+  } else if (owner == TileMap::kContested || shading.has_lights()) {
+    for (int x = run.x; x < run.x + run.width; x += TileMap::kTile)
+      tracer.trace({x, run.y, std::min(TileMap::kTile, run.x + run.width - x), run.height}, writer);
+  } else {
+    writer.fill_plane(run, static_cast<std::uint16_t>(owner + 1), shading.ambient(owner),
+                      tiles.inverse_depth(owner));
+  }
+}
+
+}  // namespace aspect

@@ -1,0 +1,14 @@
+// Whether an object stays inside the picture from every side.
+#pragma once
+
+#include "compiler/scene/scene.h"
+
+namespace aspect {
+
+// The camera's distance from what it looks at while a model is compiled.
+inline constexpr double kCompileDistance = 1.0;
+
+// The largest sphere around studio.at that lies in the picture from kCompileDistance.
+double fitting_radius(const Studio& studio);
+
+}  // namespace aspect

@@ -1,0 +1,18 @@
+// What the first bytes of a picture say, read before a decoder is let loose on it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace aspect {
+
+// Why a PNG, JPEG or BMP file is not worth decoding: no pixels, more than kMaxFrameSide_px a side,
+// or cut off. None where nothing is wrong or the format is another one. O(bytes).
+std::optional<std::string> picture_fault(std::span<const std::byte> file);
+
+// The same verdict on a size, from wherever it is known.
+std::optional<std::string> size_fault(std::int64_t width_px, std::int64_t height_px);
+
+}  // namespace aspect

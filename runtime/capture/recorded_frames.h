@@ -1,0 +1,53 @@
+// Frames from files: pictures, folders of pictures, videos.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/capture/frame_source.h"
+
+namespace aspect {
+
+class VideoFile;
+
+// Frames come in the order of the paths, those of a folder in the order of their names (byte by
+// byte; only files that end like a picture; not its subfolders). Colours of every kind become BGR
+// of 8 bits a channel; transparency is left out; a photograph is turned as its EXIF data say.
+// A frame has at most kMaxFrameSide_px a side. A path, a picture or a video that is no good is one
+// failed frame, and the rest goes on.
+// Not for several threads at once, not even for several sources: see StderrCapture.
+class RecordedFrames : public FrameSource {
+ public:
+  // Looks the paths up, but opens nothing. Silences OpenCV's and FFmpeg's logs.
+  explicit RecordedFrames(std::span<const std::filesystem::path> paths);
+  ~RecordedFrames() override;
+
+  [[nodiscard]] FrameStatus next(CapturedFrame& frame) override;
+
+  // How many frames there will be, failed ones counted; none where a video is among them.
+  std::optional<std::size_t> count() const;
+
+ private:
+  enum class Kind { picture, video, unusable };
+  struct Item {
+    Kind kind;
+    std::filesystem::path path;
+    std::string error;  // of what is unusable
+  };
+  void add(const std::filesystem::path& path);
+  void add_folder(const std::filesystem::path& folder);
+  FrameStatus next_of_video(CapturedFrame& frame);
+  FrameStatus open_item(const Item& item, CapturedFrame& frame);
+
+  std::vector<Item> items_;
+  std::size_t next_item_ = 0;
+  std::uint64_t sequence_ = 0;
+  std::unique_ptr<VideoFile> video_;
+};
+
+}  // namespace aspect

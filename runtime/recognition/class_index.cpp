@@ -1,0 +1,213 @@
+#include "runtime/recognition/class_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "runtime/recognition/assignment.h"
+#include "runtime/recognition/class_match.h"
+#include "schema/class_index_generated.h"
+
+namespace aspect {
+namespace {
+
+namespace fb = ::aspect::schema;
+
+constexpr float kDirectionUnit = 32767, kPositionUnit = 8192, kAreaUnit = 65535,
+                kSecondUnit = 4096, kThirdUnit = 16384;
+
+// What is wrong with an index, or nothing. The file's name is put before it.
+struct Problem {
+  std::string what;
+  bool found() const { return !what.empty(); }
+};
+
+std::string recompile() { return "; compile the scene again with this version of aspectc"; }
+
+Problem check_structure(std::span<const std::byte> bytes) {
+  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  constexpr std::size_t kSmallest = 16;
+  if (bytes.empty()) return {"is empty; an index of a few KiB was expected"};
+  if (bytes.size() < kSmallest || !flatbuffers::BufferHasIdentifier(data, fb::ClassIndexIdentifier()))
+    return {"is not a class index (no ASPX identifier); give a .aspect file made by aspectc"};
+  flatbuffers::Verifier verifier(data, bytes.size(), 16, 1000);
+  if (!fb::VerifyClassIndexBuffer(verifier)) {
+    return {"is damaged or cut short (its structure does not hold)" + recompile()};
+  }
+  const fb::ClassIndex* root = fb::GetClassIndex(data);
+  if (root->format_version() != kIndexFormatVersion)
+    return {"has format version " + std::to_string(root->format_version()) + ", this runtime reads " +
+            std::to_string(kIndexFormatVersion) + recompile()};
+  const auto* table = reinterpret_cast<const flatbuffers::Table*>(root);
+  const std::uint8_t* field = table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM);
+  if (field == nullptr ||
+      index_checksum(bytes, static_cast<std::size_t>(field - data)) != root->checksum())
+    return {"is damaged (its checksum does not fit)" + recompile()};
+  return {};
+}
+
+bool all_finite(std::initializer_list<float> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
+}
+
+bool within(std::uint64_t first, std::uint64_t count, std::size_t size) {
+  return first <= size && count <= size - first;
+}
+
+Vector3 unpack(const fb::Direction& d) {
+  const Vector3 v{d.x() / kDirectionUnit, d.y() / kDirectionUnit, d.z() / kDirectionUnit};
+  const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  if (length <= 0) return {0, 0, 1};
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+Problem unpack_types(const fb::ClassIndex& root, ClassIndex& index) {
+  const auto& numbers = *root.types();
+  if (root.type_dimensions() != kTypeDimensions || numbers.size() % kTypeDimensions != 0 ||
+      numbers.size() / kTypeDimensions > kMaxTypes)
+    return {"has contour types of another kind" + recompile()};
+  index.types.resize(numbers.size() / kTypeDimensions);
+  for (flatbuffers::uoffset_t i = 0; i < numbers.size(); ++i) {
+    if (!std::isfinite(numbers.Get(i))) return {"holds a number that is not finite" + recompile()};
+    index.types[i / kTypeDimensions][i % kTypeDimensions] = numbers.Get(i);
+  }
+  for (const fb::TypeScore* score : *root.type_scores()) {
+    if (score->type() >= index.types.size() || !std::isfinite(score->score()))
+      return {"names a contour type that it does not hold" + recompile()};
+    index.type_scores.push_back({score->type(), score->score()});
+  }
+  return {};
+}
+
+Problem unpack_classes(const fb::ClassIndex& root, ClassIndex& index) {
+  index.surfaces.assign(root.surfaces()->begin(), root.surfaces()->end());
+  for (const fb::ClassContour* c : *root.class_contours()) {
+    if (!within(c->first_type(), c->type_count(), index.type_scores.size()) ||
+        !within(c->first_surface(), c->surface_count(), index.surfaces.size()) ||
+        !all_finite({c->centre_x(), c->centre_y(), c->centre_z()}))
+      return {"has a contour that points outside of it" + recompile()};
+    index.class_contours.push_back({{c->first_type(), c->type_count()},
+                                    {c->first_surface(), c->surface_count()},
+                                    {static_cast<float>(c->share_red()) / 255,
+                                     static_cast<float>(c->share_green()) / 255,
+                                     static_cast<float>(c->share_blue()) / 255},
+                                    {c->centre_x(), c->centre_y(), c->centre_z()}});
+  }
+  for (const fb::AspectClass* a : *root.classes()) {
+    if (!within(a->first_contour(), a->contour_count(), index.class_contours.size()) ||
+        !within(a->first_key_view(), a->key_view_count(), index.key_views.size()) ||
+        a->contour_count() > kMaxClassContours || !std::isfinite(a->area_fraction()))
+      return {"has a class that points outside of it" + recompile()};
+    index.classes.push_back({{a->first_contour(), a->contour_count()},
+                             {a->first_key_view(), a->key_view_count()},
+                             unpack(a->view()),
+                             a->area_fraction(),
+                             a->view_count()});
+  }
+  return {};
+}
+
+Problem unpack_key_views(const fb::ClassIndex& root, ClassIndex& index) {
+  for (const fb::KeyContour* k : *root.key_contours()) {
+    KeyContour contour;
+    contour.name = k->contour();
+    contour.feature.position = {k->x() / kPositionUnit, k->y() / kPositionUnit};
+    contour.feature.area = k->area() / kAreaUnit;
+    contour.feature.moments = {k->xx() / kSecondUnit, k->xy() / kSecondUnit, k->yy() / kSecondUnit,
+                               k->xxx() / kThirdUnit, k->xxy() / kThirdUnit, k->xyy() / kThirdUnit,
+                               k->yyy() / kThirdUnit};
+    index.key_contours.push_back(contour);
+  }
+  for (const fb::KeyView* v : *root.key_views()) {
+    if (!within(v->first_contour(), v->contour_count(), index.key_contours.size()) ||
+        v->contour_count() > kMaxSide)
+      return {"has a key view that points outside of it" + recompile()};
+    index.key_views.push_back({unpack(v->direction()), {v->first_contour(), v->contour_count()}});
+  }
+  return {};
+}
+
+// Key contours take their colour from the class contour that they are views of.
+Problem colour_key_views(ClassIndex& index) {
+  for (const AspectClass& aspect : index.classes) {
+    for (const KeyView& view : ClassIndex::part(index.key_views, aspect.key_views)) {
+      for (std::uint32_t k = 0; k < view.contours.count; ++k) {
+        KeyContour& contour = index.key_contours[view.contours.first + k];
+        if (contour.name >= aspect.contours.count)
+          return {"has a key view with a contour that its class does not have" + recompile()};
+        contour.feature.share = index.class_contours[aspect.contours.first + contour.name].share;
+      }
+    }
+  }
+  return {};
+}
+
+Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
+  const fb::Segmentation& s = *root.segmentation();
+  if (!all_finite({s.thickness_min_px(), root.field_of_view_deg()}) ||
+      !(root.field_of_view_deg() > 0 && root.field_of_view_deg() < 180))
+    return {"holds a camera that cannot be" + recompile()};
+  index.object = root.object()->str();
+  index.vision.intensity_min = s.intensity_min();
+  index.vision.chroma_step = s.chroma_step();
+  index.vision.noise_steps = s.noise_steps();
+  index.vision.intensity_step = s.intensity_step();
+  index.vision.area_min_px = static_cast<int>(std::min<std::uint32_t>(s.area_min_px(), 1U << 30U));
+  index.vision.thickness_min_px = s.thickness_min_px();
+  index.vision.smooth = s.smooth();
+  index.field_of_view_deg = root.field_of_view_deg();
+  index.width_px = root.width_px();
+  index.height_px = root.height_px();
+  index.level = root.provenance()->level();
+  index.threshold = root.provenance()->threshold();
+  index.cluster_threshold = root.provenance()->cluster_threshold();
+  index.scoring = fb::EnumNameScoring(root.scoring());
+  index.sphere_map.assign(root.sphere_map()->begin(), root.sphere_map()->end());
+  return {};
+}
+
+}  // namespace
+
+std::uint64_t index_checksum(std::span<const std::byte> bytes, std::size_t checksum_offset) {
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const bool own = i >= checksum_offset && i < checksum_offset + sizeof(std::uint64_t);
+    hash = (hash ^ (own ? 0 : std::to_integer<std::uint64_t>(bytes[i]))) * 0x100000001B3U;
+  }
+  return hash;
+}
+
+Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::string& name) {
+  const auto failed = [&](const Problem& problem) { return Error{name + ": " + problem.what}; };
+  if (const Problem problem = check_structure(bytes); problem.found()) return failed(problem);
+  const fb::ClassIndex& root = *fb::GetClassIndex(bytes.data());
+  ClassIndex index;
+  index.file_bytes = bytes.size();
+  for (const auto& unpack_part :
+       {unpack_settings, unpack_types, unpack_key_views, unpack_classes}) {
+    if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
+  }
+  if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);
+  return index;
+}
+
+Result<ClassIndex> load_index(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error)
+    return Error{file.string() + ": cannot be read (" + error.message() +
+                 "); give a .aspect file made by aspectc"};
+  if (size > kMaxIndexBytes)
+    return Error{file.string() + ": has " + std::to_string(size) +
+                 " bytes, too many for a class index; give a .aspect file made by aspectc"};
+  // FlatBuffers needs its buffer aligned as its largest scalar.
+  std::vector<std::uint64_t> words(static_cast<std::size_t>(size) / sizeof(std::uint64_t) + 1);
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(size));
+  if (stream.gcount() != static_cast<std::streamsize>(size))
+    return Error{file.string() + ": could not be read to its end; check the disk"};
+  return parse_index(std::as_bytes(std::span(words)).first(static_cast<std::size_t>(size)),
+                     file.string());
+}
+
+}  // namespace aspect

@@ -1,0 +1,92 @@
+// A class index in memory: what the compiler says of one object, checked and unpacked once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/base/result.h"
+#include "runtime/vision/feature.h"
+#include "runtime/vision/vision_parameters.h"
+
+namespace aspect {
+
+inline constexpr std::uint32_t kIndexFormatVersion = 1;
+inline constexpr std::size_t kMaxIndexBytes = 16U << 20U;
+inline constexpr std::size_t kMaxClassContours = 48;
+
+using Vector3 = std::array<float, 3>;
+
+// Ranges into the flat arrays of ClassIndex.
+struct IndexRange {
+  std::uint32_t first = 0, count = 0;
+};
+
+struct TypeScore {
+  std::uint16_t type = 0;
+  float score = 1;
+};
+
+// A contour of a class (thesis 3.4.4): the types that it was seen as over the aspect.
+struct ClassContour {
+  IndexRange types;     // into type_scores
+  IndexRange surfaces;  // into surfaces
+  std::array<float, 3> share{};
+  Vector3 centre_object{};
+};
+
+struct KeyView {
+  Vector3 direction{};  // unit vector from the object's centre to the camera
+  IndexRange contours;  // into key_contours
+};
+
+struct KeyContour {
+  ContourFeature feature;
+  std::uint16_t name = 0;  // its contour of the class
+};
+
+struct AspectClass {
+  IndexRange contours;   // into class_contours; a contour's place is its name
+  IndexRange key_views;  // into key_views
+  Vector3 view{};        // towards its most typical view
+  float area_fraction = 0;
+  std::uint32_t view_count = 0;
+};
+
+struct ClassIndex {
+  std::string object;
+  VisionParameters vision;  // as compiled with
+  float field_of_view_deg = 0;
+  int width_px = 0, height_px = 0;
+  int level = 0;
+  double threshold = 0, cluster_threshold = 0;
+  std::string scoring;  // none, views, area
+  std::size_t file_bytes = 0;
+  std::vector<TypeAttributes> types;
+  std::vector<AspectClass> classes;
+  std::vector<ClassContour> class_contours;
+  std::vector<TypeScore> type_scores;
+  std::vector<std::uint16_t> surfaces;
+  std::vector<KeyView> key_views;
+  std::vector<KeyContour> key_contours;
+  std::vector<std::uint8_t> sphere_map;  // for sphere_map.h
+
+  template <typename T>
+  static std::span<const T> part(const std::vector<T>& all, IndexRange range) {
+    return std::span(all).subspan(range.first, range.count);
+  }
+};
+
+// Checks everything (identifier, FlatBuffers structure, version, checksum, every reference and
+// range, every number finite) before anything is used. Errors name the file.
+Result<ClassIndex> load_index(const std::filesystem::path& file);
+Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::string& name);
+
+// FNV-1a of an index file's bytes with the eight of its checksum field taken as zero.
+std::uint64_t index_checksum(std::span<const std::byte> bytes, std::size_t checksum_offset);
+
+}  // namespace aspect

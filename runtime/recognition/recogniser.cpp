@@ -1,0 +1,194 @@
+#include "runtime/recognition/recogniser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/vision/vision_limits.h"
+
+namespace aspect {
+namespace {
+
+// Classes that go on to the fit of their key views.
+constexpr std::size_t kMaxCandidates = 512;
+constexpr std::size_t kMaxReported = kMaxBlobs * std::size_t{kMaxHypotheses};
+
+// The view found is the mean of the key views that fit about as well as the best one of their
+// class and look from near it.
+struct ViewMean {
+  static constexpr float kNear_cos = 0.94F;  // 20 degrees
+  static constexpr std::size_t kMaxViews = 64;
+  std::array<float, kMaxViews> costs{};
+  std::array<const KeyView*, kMaxViews> views{};
+  std::size_t count = 0;
+
+  void add(const KeyView& view, float cost) {
+    if (count == kMaxViews) return;
+    costs[count] = cost;
+    views[count++] = &view;
+  }
+
+  Vector3 about(const KeyView& best, float best_cost) const {
+    Vector3 sum{};
+    const float scale = 1.0F + 0.5F * best_cost;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vector3 &a = best.direction, &b = views[k]->direction;
+      if (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < kNear_cos) continue;
+      const float weight = std::exp((best_cost - costs[k]) / scale);
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weight * b[axis];
+    }
+    const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    if (!(length > 0)) return best.direction;
+    return {sum[0] / length, sum[1] / length, sum[2] / length};
+  }
+};
+
+bool better(const Hypothesis& a, const Hypothesis& b) {
+  if (a.score != b.score) return a.score > b.score;
+  if (a.class_score != b.class_score) return a.class_score > b.class_score;
+  return a.index != b.index ? a.index < b.index : a.class_id < b.class_id;
+}
+
+}  // namespace
+
+void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
+                         const RecogniserParameters& parameters, int width_px, int height_px) {
+  indexes_ = indexes;
+  parameters_ = parameters;
+  parameters_.top = std::clamp(parameters.top, 1, kMaxHypotheses);
+  vision_.prepare(arena, width_px, height_px);
+  class_matcher_.prepare(arena, indexes);
+  candidates_ = arena.take<Hypothesis>(kMaxCandidates);
+  hypotheses_ = arena.take<Hypothesis>(kMaxReported);
+  contour_matches_ = arena.take<ContourMatch>(kMaxReported * 8);
+  objects_ = arena.take<SeenObject>(kMaxBlobs);
+}
+
+Recognition Recogniser::recognise(const Frame& frame) noexcept {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Recognition recognition;
+  recognition.graph = vision_.run(frame, parameters_.vision);
+  const auto seen = Clock::now();
+  hypothesis_count_ = match_count_ = 0;
+  std::size_t objects = 0;
+  for (const Blob& blob : recognition.graph.blobs)
+    objects_[objects++] = recognise_blob(recognition.graph, blob);
+  recognition.objects = objects_.first(objects);
+  const auto end = Clock::now();
+  const VisionTimes& times = vision_.times();
+  recognition.stages = {times.convert, times.enhance, times.segment, times.features, end - seen, {}};
+  recognition.elapsed = end - start;
+  return recognition;
+}
+
+SeenObject Recogniser::recognise_blob(const ViewGraph& graph, const Blob& blob) {
+  std::array<ContourFeature, kMaxSide> features;
+  std::size_t count = 0;
+  const auto contours = graph.contours.subspan(static_cast<std::size_t>(blob.first_contour),
+                                               static_cast<std::size_t>(blob.contour_count));
+  // Holes say nothing that the regions around and in them do not.
+  for (const Contour& contour : contours) {
+    if (!contour.external || count == kMaxSide) continue;
+    contour_of_feature_[count] = static_cast<std::uint16_t>(&contour - graph.contours.data());
+    features[count++] = feature_of(contour, blob);
+  }
+  const auto seen = std::span<const ContourFeature>(features).first(count);
+  std::size_t candidates = shortlist(seen);
+  if (parameters_.ranking == RecogniserParameters::Ranking::views) fit_shortlist(seen, candidates);
+  const auto list = candidates_.first(candidates);
+  const std::size_t first = hypothesis_count_;
+  const std::size_t reported =
+      std::min({candidates, static_cast<std::size_t>(parameters_.top),
+                hypotheses_.size() - hypothesis_count_});
+  std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(reported), list.end(),
+                    better);
+  for (const Hypothesis& hypothesis : list.first(reported)) report(hypothesis, seen);
+  return {blob.box, static_cast<int>(count), hypotheses_.subspan(first, reported)};
+}
+
+// Classes in which about as many contours can be matched as in the best one.
+std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
+  int most = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < indexes_.size(); ++i) {
+    const ClassIndex& index = indexes_[i];
+    class_matcher_.set_contours(index, features);
+    for (std::size_t c = 0; c < index.classes.size(); ++c) {
+      if (class_matcher_.most_matched(i, c) + parameters_.shortlist_slack < most) continue;
+      const ClassMatch match = class_matcher_.match(index, c, parameters_.matching);
+      const int matched = match.assignment.matched;
+      if (matched == 0 || matched + parameters_.shortlist_slack < most) continue;
+      if (matched > most) {
+        most = matched;
+        const auto weak = [&](const Hypothesis& h) {
+          return h.matched + parameters_.shortlist_slack < most;
+        };
+        const auto kept = candidates_.first(count);
+        count = static_cast<std::size_t>(std::remove_if(kept.begin(), kept.end(), weak) -
+                                         kept.begin());
+      }
+      if (count == candidates_.size()) continue;
+      Hypothesis& hypothesis = candidates_[count++];
+      hypothesis = {};
+      hypothesis.index = static_cast<std::uint16_t>(i);
+      hypothesis.class_id = static_cast<std::uint16_t>(c);
+      hypothesis.class_score = hypothesis.score = match.score;
+      hypothesis.matched = matched;
+      hypothesis.unmatched = static_cast<int>(features.size()) - matched;
+      hypothesis.view = index.classes[c].view;
+    }
+  }
+  return count;
+}
+
+// Scores every candidate by its best key view.
+void Recogniser::fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates) {
+  view_fitter_.set_contours(features);
+  constexpr float kGiveUpFactor = 4, kGiveUpLeast = 8;
+  float least_cost = std::numeric_limits<float>::infinity();
+  for (Hypothesis& hypothesis : candidates_.first(candidates)) {
+    const ClassIndex& index = indexes_[hypothesis.index];
+    const AspectClass& aspect = index.classes[hypothesis.class_id];
+    ViewMean mean;
+    ViewFit best;
+    best.cost = std::numeric_limits<float>::infinity();
+    const KeyView* best_view = nullptr;
+    for (const KeyView& view : ClassIndex::part(index.key_views, aspect.key_views)) {
+      const float give_up = std::max(kGiveUpLeast, kGiveUpFactor * std::min(least_cost, best.cost));
+      const ViewFit fit =
+          view_fitter_.fit(ClassIndex::part(index.key_contours, view.contours), give_up);
+      mean.add(view, fit.cost);
+      if (fit.cost >= best.cost) continue;
+      best = fit;
+      best_view = &view;
+    }
+    if (best_view == nullptr) {
+      hypothesis.score = 0;
+      continue;
+    }
+    least_cost = std::min(least_cost, best.cost);
+    hypothesis.score = 1 / (1 + best.cost);
+    hypothesis.view = mean.about(*best_view, best.cost);
+    hypothesis.roll_rad = best.roll_rad;
+  }
+}
+
+// Moves a hypothesis to the result, with the contours that its class matches.
+void Recogniser::report(const Hypothesis& hypothesis, std::span<const ContourFeature> features) {
+  const ClassIndex& index = indexes_[hypothesis.index];
+  class_matcher_.set_contours(index, features);
+  const ClassMatch match =
+      class_matcher_.match(index, hypothesis.class_id, parameters_.matching);
+  const std::size_t first = match_count_;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (match.assignment.column_of[i] < 0 || match_count_ == contour_matches_.size()) continue;
+    contour_matches_[match_count_++] = {contour_of_feature_[i],
+                                        static_cast<std::uint16_t>(match.assignment.column_of[i])};
+  }
+  Hypothesis& reported = hypotheses_[hypothesis_count_++];
+  reported = hypothesis;
+  reported.contours = contour_matches_.subspan(first, match_count_ - first);
+}
+
+}  // namespace aspect

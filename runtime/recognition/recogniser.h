@@ -1,0 +1,104 @@
+// The half of Aspect that recognises: a frame in, the objects seen in it out, each with a ranked
+// list of hypotheses which object, which aspect and from where (thesis 3.5).
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/base/arena.h"
+#include "runtime/recognition/class_index.h"
+#include "runtime/recognition/class_match.h"
+#include "runtime/recognition/view_fit.h"
+#include "runtime/vision/vision.h"
+
+namespace aspect {
+
+struct RecogniserParameters {
+  VisionParameters vision;
+
+  // How a frame's contours are matched with a class's: as many as possible, or with the largest
+  // sum of scores among those (thesis 3.5.1).
+  Matching matching = Matching::weighted;
+
+  // views: the classes on the shortlist are ranked by their best key view, colour, size, shape and
+  // place of every contour compared. classes: by the thesis's score alone.
+  enum class Ranking : std::uint8_t { views, classes } ranking = Ranking::views;
+
+  // Hypotheses reported for each object seen, 1 to kMaxHypotheses.
+  int top = 10;
+
+  // Contours a class may match fewer than the best class and still be fitted, typical 1. More
+  // forgives more wrong contour types and costs time.
+  int shortlist_slack = 1;
+};
+
+struct ContourMatch {
+  std::uint16_t contour = 0;  // of the frame: index into ViewGraph::contours
+  std::uint16_t name = 0;     // of the class
+};
+
+struct Hypothesis {
+  std::uint16_t index = 0;       // which of the loaded indexes
+  std::uint16_t class_id = 0;
+  float score = 0;               // what the list is ordered by, higher is better
+  float class_score = 0;         // the thesis's, equation 4.2
+  int matched = 0, unmatched = 0;  // of the frame's contours
+  Vector3 view{};                // unit vector from the object's centre to the camera
+  float roll_rad = 0;            // the frame is turned by this against the key view; views only
+  std::span<const ContourMatch> contours;
+};
+
+struct SeenObject {
+  Box box;
+  int regions = 0;
+  std::span<const Hypothesis> hypotheses;  // best first
+};
+
+struct StageTimes {
+  std::chrono::nanoseconds convert{}, enhance{}, segment{}, features{}, match{}, pose{};
+};
+
+struct Recognition {
+  ViewGraph graph;                      // what was seen
+  std::span<const SeenObject> objects;  // largest first
+  StageTimes stages;
+  std::chrono::nanoseconds elapsed{};
+};
+
+inline constexpr int kMaxHypotheses = 64;
+
+class Recogniser {
+ public:
+  // `indexes` must outlive the recogniser. Takes all memory for frames of up to width x height
+  // from the arena; an arena without storage only counts the bytes.
+  void prepare(Arena& arena, std::span<const ClassIndex> indexes,
+               const RecogniserParameters& parameters, int width_px, int height_px);
+
+  // Allocates nothing. The result lives until the next call.
+  Recognition recognise(const Frame& frame) noexcept;
+
+  const RegionMap& regions() const { return vision_.regions(); }
+
+ private:
+  SeenObject recognise_blob(const ViewGraph& graph, const Blob& blob);
+  std::size_t shortlist(std::span<const ContourFeature> features);
+  void fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates);
+  void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
+
+  std::span<const ClassIndex> indexes_;
+  RecogniserParameters parameters_;
+  Vision vision_;
+  std::span<Hypothesis> candidates_;
+  std::span<Hypothesis> hypotheses_;
+  std::span<ContourMatch> contour_matches_;
+  std::span<SeenObject> objects_;
+  std::array<std::uint16_t, kMaxSide> contour_of_feature_{};
+  std::size_t hypothesis_count_ = 0, match_count_ = 0;
+  ClassMatcher class_matcher_;
+  ViewFitter view_fitter_;
+};
+
+}  // namespace aspect

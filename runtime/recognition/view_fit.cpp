@@ -1,0 +1,171 @@
+// Steps: compare what does not change with roll, which gives a lower bound and rules out most
+// pairs; guess the roll from where two anchors, the contours with the longest levers, would have
+// to go, from the main axis where there is no lever, and from none at all; at every guess match
+// the contours exactly and add up what differs; improve the best guess once by the least-squares
+// roll of its matches. Weak side: contours whose blob is cut by the picture's border or by another
+// object have other sizes and places.
+#include "runtime/recognition/view_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aspect {
+namespace {
+
+float square(float x) { return x * x; }
+
+float radius(Point2 p) { return std::hypot(p.x, p.y); }
+
+// Direction of the main axis of a second moment.
+float axis_rad(const Moments& m) { return std::atan2(2 * m.xy, m.xx - m.yy) / 2; }
+
+}  // namespace
+
+float ViewFitter::alone(float area) const { return scales_.missing + scales_.missing_area * area; }
+
+void ViewFitter::set_contours(std::span<const ContourFeature> seen) {
+  seen_ = seen.first(std::min(seen.size(), kMaxSide));
+  constexpr float kLeastLever = 0.08F;
+  anchor_count_ = 0;
+  float best = 0, second = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const float distance = radius(seen_[i].position);
+    const float lever = distance * std::sqrt(seen_[i].area);
+    if (distance < kLeastLever || lever <= second) continue;
+    if (lever > best) {
+      anchors_[1] = anchors_[0];
+      second = best;
+      anchors_[0] = i;
+      best = lever;
+    } else {
+      anchors_[1] = i;
+      second = lever;
+    }
+    anchor_count_ = second > 0 ? 2 : 1;
+  }
+}
+
+// Fills roll_free_ and adds up the least that every seen contour must cost.
+float ViewFitter::least_cost(std::span<const KeyContour> key) {
+  float total = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const ContourFeature& a = seen_[i];
+    float least = alone(a.area);
+    for (std::size_t k = 0; k < key.size(); ++k) {
+      const ContourFeature& b = key[k].feature;
+      const float cost =
+          (square(a.share[0] - b.share[0]) + square(a.share[1] - b.share[1]) +
+           square(a.share[2] - b.share[2])) /
+              square(scales_.share) +
+          square((a.area - b.area) / scales_.area) +
+          square((radius(a.position) - radius(b.position)) / scales_.position);
+      roll_free_[i * key.size() + k] = cost;
+      least = std::min(least, cost);
+    }
+    total += least;
+  }
+  return total;
+}
+
+std::size_t ViewFitter::candidate_turns(std::span<const KeyContour> key) {
+  std::size_t count = 0;
+  turns_[count++] = {};
+  constexpr float kLeastLever = 0.05F;
+  for (std::size_t n = 0; n < anchor_count_; ++n) {
+    const std::size_t i = anchors_[n];
+    const Point2 a = seen_[i].position;
+    for (std::size_t k = 0; k < key.size() && count + 4 < kMaxTurns; ++k) {
+      const Point2 b = key[k].feature.position;
+      const float length = radius(a) * radius(b);
+      if (radius(b) < kLeastLever || roll_free_[i * key.size() + k] > alone(seen_[i].area))
+        continue;
+      turns_[count++] = {(a.x * b.x + a.y * b.y) / length, (a.y * b.x - a.x * b.y) / length};
+    }
+  }
+  if (count > 1 || seen_.empty() || key.empty()) return count;
+  const auto larger = [](const auto& p, const auto& q) { return p.area < q.area; };
+  const ContourFeature& a = *std::max_element(seen_.begin(), seen_.end(), larger);
+  const ContourFeature& b =
+      std::max_element(key.begin(), key.end(), [&](const KeyContour& p, const KeyContour& q) {
+        return larger(p.feature, q.feature);
+      })->feature;
+  const float angle = axis_rad(a.moments) - axis_rad(b.moments);
+  const float c = std::cos(angle), s = std::sin(angle);
+  for (const Turn& turn : {Turn{c, s}, Turn{-s, c}, Turn{-c, -s}, Turn{s, -c}})
+    turns_[count++] = turn;
+  return count;
+}
+
+float ViewFitter::evaluate(std::span<const KeyContour> key, Turn turn, Assignment& assignment) {
+  float total = scales_.roll * (1 - turn.cos) / 2;
+  for (const ContourFeature& contour : seen_) total += alone(contour.area);
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    const ContourFeature& original = key[k].feature;
+    const ContourFeature b = turned(original, turn.cos, turn.sin);
+    const float key_alone = alone(b.area);
+    total += key_alone;
+    const float b_third = b.area * std::sqrt(b.area);
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      const ContourFeature& a = seen_[i];
+      const float most = alone(a.area) + key_alone;
+      double& weight = weights_[i * key.size() + k];
+      weight = 0;
+      float cost = roll_free_[i * key.size() + k] -
+                   square((radius(a.position) - radius(original.position)) / scales_.position);
+      if (cost >= most) continue;
+      const float a_third = a.area * std::sqrt(a.area);
+      const auto second = [&](float p, float q) { return square(p * a.area - q * b.area); };
+      const auto third = [&](float p, float q) { return square(p * a_third - q * b_third); };
+      cost += (square(a.position.x - b.position.x) + square(a.position.y - b.position.y)) /
+              square(scales_.position);
+      cost += (second(a.moments.xx, b.moments.xx) + 2 * second(a.moments.xy, b.moments.xy) +
+               second(a.moments.yy, b.moments.yy)) /
+              square(scales_.second);
+      cost += (third(a.moments.xxx, b.moments.xxx) + 3 * third(a.moments.xxy, b.moments.xxy) +
+               3 * third(a.moments.xyy, b.moments.xyy) + third(a.moments.yyy, b.moments.yyy)) /
+              square(scales_.third);
+      weight = static_cast<double>(most - cost);
+    }
+  }
+  assign(weights_, seen_.size(), key.size(), assignment);
+  return total - static_cast<float>(assignment.weight);
+}
+
+ViewFitter::Turn ViewFitter::aligned(std::span<const KeyContour> key, const Assignment& assignment,
+                                     Turn otherwise) const {
+  float along = 0, across = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    if (assignment.column_of[i] < 0) continue;
+    const ContourFeature& b = key[static_cast<std::size_t>(assignment.column_of[i])].feature;
+    const Point2 p = seen_[i].position, q = b.position;
+    along += b.area * (p.x * q.x + p.y * q.y);
+    across += b.area * (p.y * q.x - p.x * q.y);
+  }
+  const float length = std::hypot(along, across);
+  constexpr float kLeast = 1e-3F;
+  return length < kLeast ? otherwise : Turn{along / length, across / length};
+}
+
+ViewFit ViewFitter::fit(std::span<const KeyContour> key, float give_up) {
+  ViewFit best;
+  best.cost = least_cost(key);
+  if (best.cost >= give_up) return best;
+  best.cost = std::numeric_limits<float>::infinity();
+  Turn best_turn;
+  Assignment assignment;
+  const auto attempt = [&](Turn turn) {
+    const float cost = evaluate(key, turn, assignment);
+    if (cost >= best.cost) return;
+    best.cost = cost;
+    best.assignment = assignment;
+    best_turn = turn;
+  };
+  const std::size_t turns = candidate_turns(key);
+  for (std::size_t t = 0; t < turns; ++t) attempt(turns_[t]);
+  attempt(aligned(key, best.assignment, best_turn));
+  best.roll_rad = std::atan2(best_turn.sin, best_turn.cos);
+  return best;
+}
+
+}  // namespace aspect

@@ -1,0 +1,392 @@
+// Cores first, borders second. A pixel is core where colour shares hardly change across it; cores
+// are joined to their neighbours under the same tolerance, so a blurred edge, which has no core
+// pixels, parts two regions although the colour runs through all the steps between them. Small
+// components are then forgotten, and every foreground pixel left takes the most alike region next
+// to it, layer by layer, which puts the border where a blurred edge is half one colour and half
+// the other. In a picture without blur each border pixel falls back to its own side.
+// Weak side: what is thinner than three pixels has no core and is not seen.
+#include "runtime/vision/segment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "runtime/vision/vision_limits.h"
+
+namespace aspect {
+namespace {
+
+using Byte = std::uint8_t;
+
+// Foreground pixels within this many steps of a core take its label; wider blur stays unlabelled.
+constexpr int kGrowthLayers = 3;
+
+// A core has fewer pixels than its region; smaller ones than this share of the least area are
+// noise.
+constexpr int kCoreAreaDivisor = 4;
+
+inline Byte difference(Byte a, Byte b) { return static_cast<Byte>(std::max(a, b) - std::min(a, b)); }
+
+// Pixels from some place on, plane by plane.
+struct SharePointers {
+  const Byte *red, *green, *blue, *intensity, *tolerance, *foreground;
+  SharePointers(const Shares& s, std::size_t offset)
+      : red(s.red.data() + offset),
+        green(s.green.data() + offset),
+        blue(s.blue.data() + offset),
+        intensity(s.intensity.data() + offset),
+        tolerance(s.tolerance.data() + offset),
+        foreground(s.foreground.data() + offset) {}
+};
+
+// 255 where two pixels are alike. Bytes, minima and maxima alone: the loops below must become
+// vector code, in which a branch or a wider type would cost several times as much.
+inline Byte alike(const SharePointers& a, const SharePointers& b, std::size_t i,
+                  Byte intensity_step) {
+  const Byte step =
+      std::max(std::max(difference(a.red[i], b.red[i]), difference(a.green[i], b.green[i])),
+               difference(a.blue[i], b.blue[i]));
+  const Byte allowed = std::max(a.tolerance[i], b.tolerance[i]);
+  const Byte colour = step <= allowed ? Byte{255} : Byte{0};
+  const Byte level =
+      difference(a.intensity[i], b.intensity[i]) <= intensity_step ? Byte{255} : Byte{0};
+  return colour & level;
+}
+
+// core[i] &= the pixels at a[i] and b[i] are alike, or one of them is background.
+void require_alike(SharePointers a, SharePointers b, std::size_t count, Byte intensity_step,
+                   Byte* __restrict core) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Byte both = a.foreground[i] & b.foreground[i];
+    core[i] = static_cast<Byte>(core[i] & (alike(a, b, i, intensity_step) | ~both));
+  }
+}
+
+// link[i] = the pixels at a[i] and b[i] are alike, and both are core.
+void link_alike(SharePointers a, SharePointers b, const Byte* core_a, const Byte* core_b,
+                std::size_t count, Byte intensity_step, Byte* __restrict link) {
+  for (std::size_t i = 0; i < count; ++i)
+    link[i] = alike(a, b, i, intensity_step) & core_a[i] & core_b[i];
+}
+
+// Runs come row by row, so the last one is the lowest.
+void grow_box(Box& box, const Run& run) {
+  const bool first = box.empty();
+  const int left = first ? run.begin : std::min<int>(box.x, run.begin);
+  const int right = first ? run.end : std::max<int>(box.x + box.width, run.end);
+  const int top = first ? run.row : box.y;
+  box = {left, top, right - left, run.row + 1 - top};
+}
+
+}  // namespace
+
+struct Segmenter::Core {
+  std::array<std::uint64_t, 3> rgb{};
+  std::uint64_t area = 0;
+  std::array<float, 3> mean_rgb{};
+  std::array<Byte, 3> share{};
+};
+
+void Segmenter::take(Arena& arena, int width_px, int height_px) {
+  const auto width = static_cast<std::size_t>(width_px);
+  const std::size_t pixels = width * static_cast<std::size_t>(height_px);
+  const std::size_t runs = pixels / kRunsPerPixelDivisor + width;
+  stride_px_ = width_px;
+  components_.take(arena, width_px, height_px);
+  core_ = arena.take<Byte>(pixels);
+  left_ = arena.take<Byte>(width);
+  up_ = arena.take<Byte>(width);
+  roots_ = arena.take<std::int32_t>(runs);
+  cores_ = arena.take<Core>(kMaxRegions);
+  pending_ = arena.take<std::uint32_t>(pixels / 4);
+  pending_label_ = arena.take<std::uint16_t>(pixels / 4);
+  runs_ = arena.take<Run>(runs);
+  measured_ = arena.take<Region>(kMaxRegions);
+  regions_ = arena.take<Region>(kMaxRegions);
+  blobs_ = arena.take<Blob>(kMaxRegions);
+  labels_ = arena.take<std::uint16_t>(pixels);
+}
+
+RowLinks Segmenter::link_core_row(const Shares& shares, int y, int intensity_step) {
+  const auto width = static_cast<std::size_t>(active_.width);
+  const auto stride = static_cast<std::size_t>(shares.stride_px);
+  const auto offset = static_cast<std::size_t>(y * shares.stride_px + active_.x);
+  const auto step = static_cast<Byte>(std::clamp(intensity_step / 3, 0, 255));
+  const SharePointers here(shares, offset);
+  Byte* core = core_.data() + offset;
+  std::copy_n(here.foreground, width, core);
+  if (width > 2) require_alike(here, SharePointers(shares, offset + 2), width - 2, step, core + 1);
+  if (y > active_.y && y + 1 < active_.y + active_.height)
+    require_alike(SharePointers(shares, offset - stride), SharePointers(shares, offset + stride),
+                  width, step, core);
+  Byte* left = left_.data() + active_.x;
+  left[0] = 0;
+  link_alike(here, SharePointers(shares, offset + 1), core, core + 1, width - 1, step, left + 1);
+  if (y > active_.y)
+    link_alike(here, SharePointers(shares, offset - stride), core, core - stride, width, step,
+               up_.data() + active_.x);
+  return {core - active_.x, left_.data(), up_.data()};
+}
+
+void Segmenter::choose_cores(std::span<Run> runs, int area_min_px) {
+  std::size_t count = 0;
+  const int least = std::max(area_min_px / kCoreAreaDivisor, 1);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (runs[i].root == static_cast<std::int32_t>(i) && runs[i].area_px >= least)
+      roots_[count++] = static_cast<std::int32_t>(i);
+  if (count > kMaxRegions) {
+    const auto larger = [&](std::int32_t a, std::int32_t b) {
+      const auto area = [&](std::int32_t i) { return runs[static_cast<std::size_t>(i)].area_px; };
+      return area(a) != area(b) ? area(a) > area(b) : a < b;
+    };
+    std::nth_element(roots_.begin(), roots_.begin() + kMaxRegions,
+                     roots_.begin() + static_cast<std::ptrdiff_t>(count), larger);
+    dropped_ += static_cast<int>(count) - kMaxRegions;
+    count = kMaxRegions;
+    std::sort(roots_.begin(), roots_.begin() + kMaxRegions);
+  }
+  for (std::size_t k = 0; k < count; ++k)
+    runs[static_cast<std::size_t>(roots_[k])].label = static_cast<std::uint16_t>(k + 1);
+  for (Run& run : runs) run.label = runs[static_cast<std::size_t>(run.root)].label;
+  core_count_ = count;
+}
+
+void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours) {
+  std::fill_n(cores_.begin(), core_count_, Core{});
+  for (const Run& run : runs) {
+    if (run.label == 0) continue;
+    Core& core = cores_[run.label - 1U];
+    const auto begin = static_cast<std::size_t>(run.row * colours.stride_px + run.begin);
+    const std::size_t length = static_cast<std::size_t>(run.end - run.begin);
+    std::uint32_t red = 0, green = 0, blue = 0;
+    for (std::size_t i = begin; i < begin + length; ++i) {
+      red += colours.red[i];
+      green += colours.green[i];
+      blue += colours.blue[i];
+    }
+    core.rgb[0] += red;
+    core.rgb[1] += green;
+    core.rgb[2] += blue;
+    core.area += length;
+  }
+  for (Core& core : cores_.first(core_count_)) {
+    const std::uint64_t sum = core.rgb[0] + core.rgb[1] + core.rgb[2];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      core.mean_rgb[channel] = static_cast<float>(static_cast<double>(core.rgb[channel]) /
+                                                  static_cast<double>(core.area));
+      core.share[channel] = static_cast<Byte>(255 * core.rgb[channel] / std::max<std::uint64_t>(sum, 1));
+    }
+  }
+}
+
+void Segmenter::paint_cores(std::span<const Run> runs, const Shares& shares) {
+  pending_count_ = 0;
+  const auto wait = [this](int y, int begin, int end) {
+    for (int x = begin; x < end && pending_count_ < pending_.size(); ++x)
+      pending_[pending_count_++] = static_cast<std::uint32_t>(y * stride_px_ + x);
+  };
+  const int end = active_.x + active_.width;
+  for (int y = active_.y; y < active_.y + active_.height; ++y) {
+    const auto row = static_cast<std::size_t>(y * stride_px_);
+    std::fill_n(labels_.begin() + y * stride_px_ + active_.x, active_.width, std::uint16_t{0});
+    Byte* border = left_.data();
+    for (int x = active_.x; x < end; ++x) {
+      const std::size_t i = row + static_cast<std::size_t>(x);
+      border[x] = shares.foreground[i] & static_cast<Byte>(~core_[i]);
+    }
+    for (int x = end_of_bytes(border, active_.x, end, 0); x < end;) {
+      const int stop = end_of_bytes(border, x, end, 255);
+      wait(y, x, stop);
+      x = end_of_bytes(border, stop, end, 0);
+    }
+  }
+  for (const Run& run : runs) {
+    if (run.label == 0)
+      wait(run.row, run.begin, run.end);
+    else
+      std::fill_n(labels_.begin() + run.row * stride_px_ + run.begin, run.end - run.begin,
+                  run.label);
+  }
+}
+
+std::uint16_t Segmenter::nearest_label(const Shares& shares, std::uint32_t pixel) const {
+  const int x = static_cast<int>(pixel) % stride_px_, y = static_cast<int>(pixel) / stride_px_;
+  std::uint16_t best = 0;
+  int least = 256;
+  const auto consider = [&](bool within, std::ptrdiff_t step) {
+    if (!within) return;
+    const std::uint16_t label =
+        labels_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(pixel) + step)];
+    if (label == 0 || label == best) return;
+    const auto& share = cores_[label - 1U].share;
+    const int distance = std::max({std::abs(shares.red[pixel] - share[0]),
+                                   std::abs(shares.green[pixel] - share[1]),
+                                   std::abs(shares.blue[pixel] - share[2])});
+    if (distance < least || (distance == least && label < best)) {
+      least = distance;
+      best = label;
+    }
+  };
+  consider(x > active_.x, -1);
+  consider(x + 1 < active_.x + active_.width, 1);
+  consider(y > active_.y, -stride_px_);
+  consider(y + 1 < active_.y + active_.height, stride_px_);
+  return best;
+}
+
+void Segmenter::grow(const Shares& shares) {
+  for (int layer = 0; layer < kGrowthLayers; ++layer) {
+    for (std::size_t k = 0; k < pending_count_; ++k)
+      pending_label_[k] = nearest_label(shares, pending_[k]);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < pending_count_; ++k) {
+      if (pending_label_[k] != 0)
+        labels_[pending_[k]] = pending_label_[k];
+      else
+        pending_[left++] = pending_[k];
+    }
+    pending_count_ = left;
+  }
+}
+
+void Segmenter::find_region_runs() {
+  run_count_ = 0;
+  const int end = active_.x + active_.width;
+  for (int y = active_.y; y < active_.y + active_.height; ++y) {
+    const std::uint16_t* row = labels_.data() + y * stride_px_;
+    for (int x = active_.x; x < end;) {
+      const std::uint16_t label = row[x];
+      int stop = x + 1;
+      while (stop < end && row[stop] == label) ++stop;
+      if (label != 0) {
+        if (run_count_ == runs_.size()) {
+          ++dropped_;
+          return;
+        }
+        runs_[run_count_++] = {static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(x),
+                               static_cast<std::uint16_t>(stop), label, 0, 0};
+      }
+      x = stop;
+    }
+  }
+}
+
+void Segmenter::measure_regions() {
+  std::fill_n(measured_.begin(), core_count_, Region{});
+  const auto runs = runs_.first(run_count_);
+  for (const Run& run : runs) grow_box(measured_[run.label - 1U].box, run);
+  for (const Run& run : runs) {
+    Region& region = measured_[run.label - 1U];
+    add_run(region.sums, run, region.box);
+  }
+}
+
+// Forgets small regions and filaments and numbers the rest in the order of their first pixels.
+void Segmenter::drop_small(const VisionParameters& parameters) {
+  enum : std::uint16_t { kUndecided = 0xFFFF };
+  std::array<std::uint16_t, kMaxRegions + 1> relabel;
+  relabel.fill(kUndecided);
+  region_count_ = 0;
+  for (Run& run : runs_.first(run_count_)) {
+    std::uint16_t& label = relabel[run.label];
+    if (label == kUndecided) {
+      const Region& region = measured_[run.label - 1U];
+      const bool kept = region.sums.area >= parameters.area_min_px &&
+                        thickness_px_of(region.sums) >= parameters.thickness_min_px;
+      label = 0;
+      if (kept) {
+        regions_[region_count_] = region;
+        regions_[region_count_].mean_rgb = cores_[run.label - 1U].mean_rgb;
+        label = static_cast<std::uint16_t>(++region_count_);
+      }
+    }
+    if (run.label == label) continue;
+    run.label = label;
+    std::fill_n(labels_.begin() + run.row * stride_px_ + run.begin, run.end - run.begin, label);
+  }
+}
+
+// Blobs that hold a region, largest first. Regions of a blob too many get blob = kMaxBlobs and are
+// left out of the graph.
+void Segmenter::find_blobs(const Shares& shares, bool one_blob) {
+  const std::span<Run> runs = components_.run(active_, [&](int y) {
+    const Byte* row = shares.foreground.data() + y * shares.stride_px;
+    return RowLinks{row, row, row};
+  });
+  if (one_blob) {
+    for (Run& run : runs.subspan(std::min<std::size_t>(1, runs.size()))) {
+      if (run.root == static_cast<std::int32_t>(&run - runs.data())) runs[0].area_px += run.area_px;
+      run.root = 0;
+    }
+  }
+  std::size_t labels_met = 0;
+  for (const Run& run : runs_.first(run_count_)) {
+    if (run.label <= labels_met) continue;
+    labels_met = run.label;
+    roots_[labels_met - 1] = one_blob ? 0 : components_.run_at(run.begin, run.row).root;
+    regions_[labels_met - 1].blob = roots_[labels_met - 1];
+  }
+  const auto root = [&](std::int32_t i) -> Run& { return runs[static_cast<std::size_t>(i)]; };
+  const auto first = roots_.begin();
+  auto last = first + static_cast<std::ptrdiff_t>(region_count_);
+  std::sort(first, last);
+  last = std::unique(first, last);
+  std::sort(first, last, [&](std::int32_t a, std::int32_t b) {
+    return root(a).area_px != root(b).area_px ? root(a).area_px > root(b).area_px : a < b;
+  });
+  blob_count_ = std::min<std::size_t>(static_cast<std::size_t>(last - first), kMaxBlobs);
+  for (std::size_t k = 0; k < blob_count_; ++k)
+    root(roots_[k]).label = static_cast<std::uint16_t>(k + 1);
+  for (Region& region : regions_.first(region_count_)) {
+    const int label = root(region.blob).label;
+    region.blob = label == 0 ? kMaxBlobs : label - 1;
+    if (label == 0) ++dropped_;
+  }
+  measure_blobs(runs);
+}
+
+void Segmenter::measure_blobs(std::span<const Run> runs) {
+  std::fill_n(blobs_.begin(), blob_count_, Blob{});
+  std::array<PixelSums, kMaxBlobs> sums{};
+  for (const Run& run : runs) {
+    const int label = runs[static_cast<std::size_t>(run.root)].label;
+    if (label == 0) continue;
+    const auto k = static_cast<std::size_t>(label - 1);
+    grow_box(blobs_[k].box, run);
+    const double length = run.end - run.begin;
+    sums[k].area += length;
+    sums[k].x += length * (run.begin + run.end - 1) / 2;
+    sums[k].y += length * run.row;
+  }
+  for (std::size_t k = 0; k < blob_count_; ++k) {
+    blobs_[k].area_px = static_cast<float>(sums[k].area);
+    blobs_[k].centre_px = {static_cast<float>(sums[k].x / sums[k].area),
+                           static_cast<float>(sums[k].y / sums[k].area)};
+  }
+}
+
+RegionMap Segmenter::run(const Planes& colours, const Shares& shares,
+                         const VisionParameters& parameters) noexcept {
+  active_ = shares.active;
+  const std::span<Run> cores = components_.run(active_, [&](int y) {
+    return link_core_row(shares, y, parameters.intensity_step);
+  });
+  dropped_ = components_.dropped_rows();
+  choose_cores(cores, parameters.area_min_px);
+  measure_cores(cores, colours);
+  paint_cores(cores, shares);
+  grow(shares);
+  find_region_runs();
+  measure_regions();
+  drop_small(parameters);
+  find_blobs(shares, parameters.one_blob);
+  return {labels_,
+          stride_px_,
+          active_,
+          runs_.first(run_count_),
+          regions_.first(region_count_),
+          blobs_.first(blob_count_),
+          dropped_};
+}
+
+}  // namespace aspect

@@ -1,0 +1,77 @@
+// Stage "segment", steps 3 and 4 of the thesis's segmentation (3.2.2): connected regions of equal
+// colour ratio under 4-connectedness, without very small ones and filaments; and the blobs, the
+// connected pieces of foreground that they belong to.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "runtime/base/arena.h"
+#include "runtime/vision/components.h"
+#include "runtime/vision/enhance.h"
+#include "runtime/vision/pixel_sums.h"
+#include "runtime/vision/planes.h"
+#include "runtime/vision/view_graph.h"
+#include "runtime/vision/vision_parameters.h"
+
+namespace aspect {
+
+struct Region {
+  PixelSums sums;
+  std::array<float, 3> mean_rgb{};  // of its core, away from blurred edges
+  Box box;
+  int blob = 0;
+};
+
+struct RegionMap {
+  std::span<std::uint16_t> labels;  // region + 1 of each pixel, 0: none; valid within `active`
+  int stride_px = 0;
+  Box active;
+  std::span<const Run> runs;        // of regions, row by row, left to right
+  std::span<const Region> regions;  // labels 1.. in the order of their first pixels
+  std::span<const Blob> blobs;      // largest first; contours and relations not yet filled in
+  int dropped_regions = 0;
+};
+
+class Segmenter {
+ public:
+  void take(Arena& arena, int width_px, int height_px);
+
+  // O(pixels of the active part). `colours` are the smoothed planes.
+  RegionMap run(const Planes& colours, const Shares& shares,
+                const VisionParameters& parameters) noexcept;
+
+ private:
+  struct Core;
+  RowLinks link_core_row(const Shares& shares, int y, int intensity_step);
+  void choose_cores(std::span<Run> runs, int area_min_px);
+  void measure_cores(std::span<const Run> runs, const Planes& colours);
+  void paint_cores(std::span<const Run> runs, const Shares& shares);
+  void grow(const Shares& shares);
+  std::uint16_t nearest_label(const Shares& shares, std::uint32_t pixel) const;
+  void find_region_runs();
+  void measure_regions();
+  void drop_small(const VisionParameters& parameters);
+  void find_blobs(const Shares& shares, bool one_blob);
+  void measure_blobs(std::span<const Run> runs);
+
+  Components components_;
+  std::span<std::uint8_t> core_, left_, up_;  // plane, row, row
+  std::span<std::int32_t> roots_;
+  std::span<Core> cores_;
+  std::span<std::uint32_t> pending_;  // foreground pixels without a label
+  std::span<std::uint16_t> pending_label_;
+  std::span<Run> runs_;
+  std::span<Region> measured_;  // by core
+  std::span<Region> regions_;
+  std::span<Blob> blobs_;
+  std::span<std::uint16_t> labels_;
+  int stride_px_ = 0;
+  Box active_;
+  std::size_t core_count_ = 0, pending_count_ = 0, run_count_ = 0, region_count_ = 0,
+              blob_count_ = 0;
+  int dropped_ = 0;
+};
+
+}  // namespace aspect

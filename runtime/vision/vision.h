@@ -1,0 +1,55 @@
+// The half of Aspect that sees: a frame in, an attributed relational graph of its coloured regions
+// out (thesis 3.2.2). Rendered and captured frames go through this same code.
+#pragma once
+
+#include <chrono>
+#include <span>
+
+#include "runtime/base/arena.h"
+#include "runtime/vision/contour_trace.h"
+#include "runtime/vision/enhance.h"
+#include "runtime/vision/frame.h"
+#include "runtime/vision/planes.h"
+#include "runtime/vision/segment.h"
+#include "runtime/vision/view_graph.h"
+#include "runtime/vision/vision_parameters.h"
+
+namespace aspect {
+
+struct VisionTimes {
+  std::chrono::nanoseconds convert{}, enhance{}, segment{}, features{};
+};
+
+class Vision {
+ public:
+  // Takes all memory for frames of up to width x height from the arena; never allocates later.
+  // An arena without storage only counts the bytes.
+  void prepare(Arena& arena, int width_px, int height_px);
+
+  // The graph, and everything it points to, lives until the next run. A frame larger than was
+  // prepared for, or without pixels, gives an empty graph. O(pixels).
+  ViewGraph run(const Frame& frame, const VisionParameters& parameters) noexcept;
+
+  // Of the last run: for drawing and for the compiler's surface ids.
+  const RegionMap& regions() const { return regions_; }
+  const VisionTimes& times() const { return times_; }
+  int max_width_px() const { return width_px_; }
+  int max_height_px() const { return height_px_; }
+
+ private:
+  ViewGraph build_graph(const VisionParameters& parameters);
+
+  int width_px_ = 0, height_px_ = 0;
+  Planes raw_, smoothed_;
+  Shares shares_;
+  std::span<std::uint8_t> scratch_;
+  Segmenter segmenter_;
+  ContourTracer tracer_;
+  std::span<Contour> contours_;
+  std::span<Relation> relations_;
+  std::span<Blob> blobs_;
+  RegionMap regions_;
+  VisionTimes times_;
+};
+
+}  // namespace aspect

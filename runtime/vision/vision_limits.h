@@ -1,0 +1,14 @@
+// Capacities of the per-frame path. Going over one degrades: the smallest or the lowest are
+// dropped and counted in ViewGraph::dropped_regions.
+#pragma once
+
+namespace aspect {
+
+inline constexpr int kMaxFrameSide_px = 8192;
+inline constexpr int kMaxRegions = 1024;         // kept regions of a frame
+inline constexpr int kMaxBlobs = 64;             // blobs of a frame
+inline constexpr int kMaxBlobContours = 48;      // contours of a blob
+inline constexpr int kMaxRelations = 16 * 1024;  // of a frame
+inline constexpr int kRunsPerPixelDivisor = 4;   // runs: a quarter of the pixels
+
+}  // namespace aspect

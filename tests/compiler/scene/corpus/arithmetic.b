@@ -1,0 +1,1 @@
+sphere { center ((((((((1 0 0 cross 0 1 0)))))))) radius pow(2 -1) }

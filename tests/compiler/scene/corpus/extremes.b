@@ -1,0 +1,1 @@
+polygon { points 1e6 vertex 1e9 1e9 1e9 vertex -1e9 -1e9 -1e9 vertex 1e-300 0 0 }

@@ -1,0 +1,3 @@
+#include "fuzz.b"
+#include
+#include "

@@ -1,0 +1,5 @@
+#define A B B
+#define B C C
+#define C D D
+#define D A
+A

@@ -1,0 +1,43 @@
+// What the tests of scenes share.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "compiler/scene/scene.h"
+
+namespace aspect {
+
+// The scene of a text that must be right; the test fails with the reader's message where it is not.
+Scene scene_of(std::string_view text);
+
+// The message of a text that must be wrong. Texts are called s.b.
+std::string error_of(std::string_view text);
+
+// The only vertex, centre and so on of tests: where `sphere { center TEXT radius 1 }` stands.
+Eigen::Vector3d vector_of(std::string_view text);
+
+template <typename Shape>
+const Shape& shape_of(const Scene& scene, std::size_t index = 0) {
+  return std::get<Shape>(scene.primitives.at(index).shape);
+}
+
+// A folder of its own under the system's temporary one, gone with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+  // Writes a file, with its folders, and gives its path.
+  std::filesystem::path write(const std::string& name, std::string_view text) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace aspect

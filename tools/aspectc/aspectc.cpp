@@ -1,0 +1,163 @@
+// aspectc: compiles a scene into a class index, renders single views, prints indexes.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "compiler/compile.h"
+#include "tools/aspectc/inspect_command.h"
+#include "tools/aspectc/progress_line.h"
+#include "tools/aspectc/render_command.h"
+#include "tools/aspectc/statistics_json.h"
+#include "tools/aspectc/whole_file.h"
+#include "compiler/scene/bob_reader.h"
+#include "runtime/recognition/class_match.h"
+
+namespace aspect {
+namespace {
+
+std::atomic<bool> stop_asked{false};
+
+extern "C" void ask_to_stop(int) { stop_asked.store(true); }
+
+struct CompileCommand {
+  std::string scene, output, store, statistics, progress = "auto", scoring = "views";
+  bool no_store = false;
+  std::size_t max_index_kib = 100;
+  CompileOptions options;
+
+  void add_to(CLI::App& app);
+  int run();
+  Result<CompiledIndex> compile_scene(const Scene& scene);
+};
+
+void CompileCommand::add_to(CLI::App& app) {
+  app.add_option("scene", scene, "Bob scene to compile (.b)");
+  app.add_option("-o,--output", output, "class index to write [NAME.aspect, here]");
+  app.add_option("--level", options.level, "finest level of the viewing sphere's patches")
+      ->check(CLI::Range(0, 10))
+      ->capture_default_str();
+  app.add_option("--min-level", options.min_level, "level up to which every patch is split")
+      ->check(CLI::Range(0, 10))
+      ->capture_default_str();
+  app.add_option("--threshold", options.threshold,
+                 "largest match cost between the views of a patch that is not split")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--cluster-threshold", options.cluster_threshold,
+                 "the same when patches are clustered; at least --threshold")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--small-cluster", options.small_cluster_fraction,
+                 "clusters that cover less of the sphere are discarded as noise")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--types", options.contour_types, "contour types, K of the k-means")
+      ->check(CLI::Range(std::size_t{1}, kMaxTypes))
+      ->capture_default_str();
+  app.add_option("--scoring", scoring, "score of a type: none, by views, or by their area")
+      ->check(CLI::IsMember({"none", "views", "area"}))
+      ->capture_default_str();
+  app.add_option("--store", store, "database of views and matches to resume from [NAME.store]");
+  app.add_flag("--no-store", no_store, "keep no database; a run that is stopped starts anew");
+  app.add_option("--jobs", options.jobs, "threads [one a core]")->check(CLI::Range(1, 1024));
+  app.add_option("--max-index-kib", max_index_kib, "largest size of the index")
+      ->check(CLI::Range(1, 16384))
+      ->capture_default_str();
+  app.add_option("--stats", statistics, "write statistics to this JSON file");
+  app.add_option("--progress", progress, "progress on stderr: auto, always, never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+}
+
+Result<CompiledIndex> CompileCommand::compile_scene(const Scene& loaded) {
+  const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic},
+                                                  {"always", ProgressMode::always},
+                                                  {"never", ProgressMode::never}};
+  ProgressLine line(loaded.name, options.level, modes.at(progress));
+  std::optional<std::filesystem::path> store_path;
+  if (!no_store)
+    store_path = store.empty() ? std::filesystem::path(output).replace_extension(".store")
+                               : std::filesystem::path(store);
+  return compile(loaded, options, store_path, [&](const Progress& p) { line.show(p); }, &stop_asked);
+}
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "aspectc: {}\n", message);
+  return 1;
+}
+
+int CompileCommand::run() {
+  if (options.cluster_threshold < options.threshold) {
+    fmt::print(stderr, "aspectc: --cluster-threshold {} is below --threshold {}; raise it\n",
+               options.cluster_threshold, options.threshold);
+    return 2;
+  }
+  options.min_level = std::min(options.min_level, options.level);
+  options.max_index_bytes = max_index_kib * 1024;
+  options.scoring = scoring == "none"    ? Scoring::none
+                    : scoring == "views" ? Scoring::views
+                                         : Scoring::area;
+  const Result<Scene> loaded = read_bob(scene);
+  if (!loaded) return fail(loaded.error());
+  for (const std::string& warning : loaded.value().warnings)
+    fmt::print(stderr, "aspectc: warning: {}\n", warning);
+  if (output.empty()) output = loaded.value().name + ".aspect";
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  const Result<CompiledIndex> compiled = compile_scene(loaded.value());
+  if (!compiled) return fail(compiled.error());
+  if (Result<Done> done = write_whole_file(output, compiled.value().bytes); !done)
+    return fail(done.error());
+  const CompileStatistics& s = compiled.value().statistics;
+  if (!statistics.empty()) {
+    const std::string json = statistics_json(s);
+    const auto* first = reinterpret_cast<const std::uint8_t*>(json.data());
+    if (Result<Done> done = write_whole_file(statistics, {first, json.size()}); !done)
+      return fail(done.error());
+  }
+  fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n", output,
+             s.clusters_in_index, 100 * s.area_fraction_in_index, s.views,
+             static_cast<double>(s.index_bytes) / 1024, s.seconds.total);
+  return 0;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app{"aspectc compiles a coloured CAD model into a class index for aspectd.", "aspectc"};
+  app.set_version_flag("--version", ASPECT_VERSION);
+  app.footer("Examples:\n  aspectc part.b -o part.aspect --level 5\n"
+             "  aspectc render part.b --from 1,0.5,0.3 --segmented -o view.png\n"
+             "  aspectc inspect part.aspect");
+  CompileCommand compile_command;
+  compile_command.add_to(app);
+  RenderCommand render_command;
+  CLI::App* render = add_render_command(app, render_command);
+  InspectCommand inspect_command;
+  CLI::App* inspect = add_inspect_command(app, inspect_command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (render->parsed()) return run_render(render_command);
+  if (inspect->parsed()) return run_inspect(inspect_command);
+  if (compile_command.scene.empty()) {
+    fmt::print(stderr, "aspectc: no scene given; aspectc --help shows how\n");
+    return 2;
+  }
+  return compile_command.run();
+}
+
+}  // namespace
+}  // namespace aspect
+
+int main(int argc, char** argv) {
+  try {
+    return aspect::run_program(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "aspectc: %s\n", error.what());
+    return 1;
+  }
+}

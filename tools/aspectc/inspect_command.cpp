@@ -1,0 +1,104 @@
+#include "tools/aspectc/inspect_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/recognition/class_index.h"
+
+namespace aspect {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string name_of(std::size_t contour) {
+  std::string name;
+  for (std::size_t rest = contour + 1; rest > 0; rest = (rest - 1) / 26)
+    name.insert(name.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return name;
+}
+
+Json contour_json(const ClassIndex& index, const ClassContour& contour, std::size_t place) {
+  Json json{{"name", name_of(place)}};
+  json["share"] = contour.share;
+  json["centre"] = contour.centre_object;
+  const auto surfaces = ClassIndex::part(index.surfaces, contour.surfaces);
+  json["surfaces"] = std::vector<std::uint16_t>(surfaces.begin(), surfaces.end());
+  for (const TypeScore& type : ClassIndex::part(index.type_scores, contour.types))
+    json["types"].push_back({type.type, type.score});
+  return json;
+}
+
+Json index_json(const ClassIndex& index) {
+  Json json{{"object", index.object},
+            {"bytes", index.file_bytes},
+            {"level", index.level},
+            {"threshold", index.threshold},
+            {"cluster_threshold", index.cluster_threshold},
+            {"scoring", index.scoring},
+            {"field_of_view_deg", index.field_of_view_deg},
+            {"width", index.width_px},
+            {"height", index.height_px},
+            {"contour_types", index.types.size()},
+            {"key_views", index.key_views.size()},
+            {"classes", Json::array()}};
+  for (const AspectClass& aspect : index.classes) {
+    Json entry{{"area_fraction", aspect.area_fraction},
+               {"views", aspect.view_count},
+               {"key_views", aspect.key_views.count},
+               {"view", aspect.view},
+               {"contours", Json::array()}};
+    const auto contours = ClassIndex::part(index.class_contours, aspect.contours);
+    for (std::size_t k = 0; k < contours.size(); ++k)
+      entry["contours"].push_back(contour_json(index, contours[k], k));
+    json["classes"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+void print_index(const ClassIndex& index) {
+  double area = 0;
+  for (const AspectClass& aspect : index.classes) area += static_cast<double>(aspect.area_fraction);
+  fmt::print("object {}, {:.1f} KiB, level {}, thresholds {} and {}, scored by {}\n", index.object,
+             static_cast<double>(index.file_bytes) / 1024, index.level, index.threshold,
+             index.cluster_threshold, index.scoring);
+  fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n\n",
+             index.classes.size(), 100 * area, index.types.size(), index.key_views.size());
+  fmt::print("class  area %  views  keys  from                    contours (surfaces: types)\n");
+  for (std::size_t c = 0; c < index.classes.size(); ++c) {
+    const AspectClass& aspect = index.classes[c];
+    fmt::print("{:5}  {:6.3f}  {:5}  {:4}  {:+.3f} {:+.3f} {:+.3f} ", c,
+               100 * aspect.area_fraction, aspect.view_count, aspect.key_views.count,
+               aspect.view[0], aspect.view[1], aspect.view[2]);
+    const auto contours = ClassIndex::part(index.class_contours, aspect.contours);
+    for (std::size_t k = 0; k < contours.size(); ++k)
+      fmt::print(" {}({}:{})", name_of(k),
+                 fmt::join(ClassIndex::part(index.surfaces, contours[k].surfaces), ","),
+                 contours[k].types.count);
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
+  CLI::App* inspect = app.add_subcommand("inspect", "Print a class index.");
+  inspect->add_option("index", command.index, "class index (.aspect)")->required();
+  inspect->add_flag("--json", command.json, "everything, as one JSON object");
+  return inspect;
+}
+
+int run_inspect(const InspectCommand& command) {
+  const Result<ClassIndex> index = load_index(command.index);
+  if (!index) {
+    fmt::print(stderr, "aspectc: {}\n", index.error());
+    return 1;
+  }
+  if (command.json)
+    fmt::print("{}\n", index_json(index.value()).dump(2));
+  else
+    print_index(index.value());
+  return 0;
+}
+
+}  // namespace aspect

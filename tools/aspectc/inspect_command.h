@@ -1,0 +1,17 @@
+// aspectc inspect FILE.aspect: an index in words, or as JSON.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace aspect {
+
+struct InspectCommand {
+  std::string index;
+  bool json = false;
+};
+
+CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command);
+int run_inspect(const InspectCommand& command);
+
+}  // namespace aspect

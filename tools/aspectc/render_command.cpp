@@ -1,0 +1,61 @@
+#include "tools/aspectc/render_command.h"
+
+#include <fmt/format.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "compiler/aspects/observer.h"
+#include "compiler/scene/bob_reader.h"
+#include "tools/aspectc/whole_file.h"
+#include "tools/draw/frame_canvas.h"
+#include "tools/draw/region_draw.h"
+
+namespace aspect {
+namespace {
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "aspectc: {}\n", message);
+  return 1;
+}
+
+}  // namespace
+
+CLI::App* add_render_command(CLI::App& app, RenderCommand& command) {
+  CLI::App* render = app.add_subcommand("render", "Render one view of a scene.");
+  render->add_option("scene", command.scene, "Bob scene (.b)")->required();
+  render->add_option("--from", command.from, "direction of the camera, X,Y,Z of any length")
+      ->delimiter(',')
+      ->expected(3)
+      ->required();
+  render->add_flag("--segmented", command.segmented,
+                   "what is seen: regions in false colours with contour ids");
+  render->add_option("-o,--output", command.output, "picture to write (.png)")->required();
+  return render;
+}
+
+int run_render(const RenderCommand& command) {
+  const Result<Scene> scene = read_bob(command.scene);
+  if (!scene) return fail(scene.error());
+  const Result<Renderer> renderer = Renderer::create(scene.value());
+  if (!renderer) return fail(command.scene + ": " + renderer.error());
+  const Eigen::Vector3d from(command.from[0], command.from[1], command.from[2]);
+  if (!(from.norm() > 0) || !from.allFinite()) {
+    fmt::print(stderr, "aspectc: --from needs a direction other than 0,0,0\n");
+    return 2;
+  }
+  Observer observer(renderer.value(), scene.value().studio, VisionParameters{});
+  observer.observe(from.normalized());
+  const Picture& picture = observer.picture();
+  const Frame frame{picture.rgb.data(), picture.width_px, picture.height_px,
+                    3 * static_cast<std::ptrdiff_t>(picture.width_px), PixelFormat::rgb8};
+  const cv::Mat drawn = command.segmented ? draw_regions(observer.regions(), observer.graph(),
+                                                         frame.width_px, frame.height_px)
+                                          : picture_of(frame);
+  std::vector<std::uint8_t> png;
+  if (!cv::imencode(".png", drawn, png))
+    return fail(command.output + ": the picture could not be encoded");
+  const Result<Done> done = write_whole_file(command.output, png);
+  return done ? 0 : fail(done.error());
+}
+
+}  // namespace aspect

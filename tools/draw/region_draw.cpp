@@ -1,0 +1,35 @@
+#include "tools/draw/region_draw.h"
+
+#include <fmt/format.h>
+
+#include "tools/draw/frame_canvas.h"
+#include "tools/draw/id_colour.h"
+
+namespace aspect {
+namespace {
+
+cv::Mat false_colours(const RegionMap& map, int width_px, int height_px) {
+  const cv::Scalar background(28, 28, 28);
+  cv::Mat picture(height_px, width_px, CV_8UC3, background);
+  for (const Run& run : map.runs) {
+    if (run.label == 0) continue;
+    picture(cv::Rect(run.begin, run.row, run.end - run.begin, 1)).setTo(id_colour(run.label));
+  }
+  return picture;
+}
+
+}  // namespace
+
+cv::Mat draw_regions(const RegionMap& map, const ViewGraph& graph, int width_px, int height_px) {
+  FrameCanvas canvas(false_colours(map, width_px, height_px));
+  LabelPlacer labels(canvas.picture(), canvas.text_style());
+  for (std::size_t k = 0; k < graph.contours.size(); ++k) {
+    const Contour& contour = graph.contours[k];
+    const Point2 point = label_point(contour, map);
+    labels.draw(contour.external ? fmt::to_string(k) : fmt::format("({})", k),
+                canvas.at(point.x, point.y), {255, 255, 255});
+  }
+  return canvas.picture();
+}
+
+}  // namespace aspect

@@ -1,0 +1,15 @@
+// The regions of a frame in false colours.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "runtime/vision/segment.h"
+#include "runtime/vision/view_graph.h"
+
+namespace aspect {
+
+// Every region in the colour of its label, every contour with its number in the graph, holes in
+// brackets. `map` and `graph` are of the same frame of width x height. Small frames are blown up.
+cv::Mat draw_regions(const RegionMap& map, const ViewGraph& graph, int width_px, int height_px);
+
+}  // namespace aspect

@@ -1,0 +1,73 @@
+#include "tools/replay/index_set.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string>
+#include <system_error>
+
+namespace aspect {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Which values differ, for people; empty where all are the same.
+std::string differences(const VisionParameters& first, const VisionParameters& other) {
+  std::string text;
+  const auto compare = [&](std::string_view key, auto a, auto b) {
+    if (a != b) text += fmt::format("{}{} {} not {}", text.empty() ? "" : ", ", key, b, a);
+  };
+  compare("intensity_min", first.intensity_min, other.intensity_min);
+  compare("chroma_step", first.chroma_step, other.chroma_step);
+  compare("noise_steps", first.noise_steps, other.noise_steps);
+  compare("intensity_step", first.intensity_step, other.intensity_step);
+  compare("area_min_px", first.area_min_px, other.area_min_px);
+  compare("thickness_min_px", first.thickness_min_px, other.thickness_min_px);
+  compare("smooth", first.smooth, other.smooth);
+  return text;
+}
+
+bool is_among(const fs::path& file, std::span<const fs::path> others) {
+  return std::any_of(others.begin(), others.end(), [&](const fs::path& other) {
+    std::error_code code;
+    return fs::equivalent(file, other, code);
+  });
+}
+
+}  // namespace
+
+std::vector<ClassIndex> load_indexes(std::span<const fs::path> files, Console& console) {
+  std::vector<ClassIndex> indexes;
+  std::vector<fs::path> used;
+  for (const fs::path& file : files) {
+    const std::string& name = file.native();
+    if (is_among(file, used)) {
+      console.fail(name + ": given twice as --index; leave one out");
+      continue;
+    }
+    Result<ClassIndex> index = load_index(file);
+    if (!index) {
+      console.fail(index.error());
+      continue;
+    }
+    const auto same = std::find_if(indexes.begin(), indexes.end(), [&](const ClassIndex& other) {
+      return other.object == index.value().object;
+    });
+    if (same != indexes.end()) {
+      const auto place = static_cast<std::size_t>(same - indexes.begin());
+      console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out", name,
+                               same->object, used[place].native()));
+      continue;
+    }
+    const std::string different =
+        indexes.empty() ? "" : differences(indexes.front().vision, index.value().vision);
+    if (!different.empty())
+      console.warn(fmt::format("{}: compiled with another [segmentation] than {}, whose values are "
+                               "used: {}",
+                               name, used.front().native(), different));
+    indexes.push_back(std::move(index).value());
+    used.push_back(file);
+  }
+  return indexes;
+}
+
+}  // namespace aspect

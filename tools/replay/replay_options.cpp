@@ -1,0 +1,132 @@
+#include "tools/replay/replay_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/format.h>
+#include <map>
+
+namespace aspect {
+namespace {
+
+constexpr int kUsageError = 2;
+
+constexpr const char* kDescription =
+    "Recognises objects in recorded frames: one JSON object a line for each frame.";
+
+constexpr const char* kFooter = R"(
+A frame is a picture, a folder of pictures (in the order of their names) or a video.
+Values given here win over those of --config, and those over what the index was compiled with.
+
+The output has the keys frame, sequence, width, height, elapsed_ms, stages_ms and objects, the
+largest first: [{box: [x, y, width, height], regions, hypotheses, the best first: [{object, class,
+score, matched, unmatched, view: unit vector from the object's centre to the camera, contours:
+[[number in the frame, name in the class], ...]}]}].
+
+Exit code: 0 all frames were processed, 1 a frame or an index failed (one line each on standard
+error; the others are processed all the same), 2 wrong usage.
+
+Examples:
+  aspect-replay --index cube.aspect frame.png
+  aspect-replay --index cube.aspect --index truck.aspect --config camera.toml frames/ > seen.jsonl
+  aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
+)";
+
+// What CLI11 makes of the command line; an absent option is an empty or zero value here.
+struct RawOptions {
+  ReplayOptions options;
+  std::string configuration, overlay, dump;
+  std::vector<std::string> indexes, frames;
+};
+
+template <typename Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::optional<Value>& value,
+                        const std::map<std::string, Value>& words, const std::string& help) {
+  std::vector<std::string> known;
+  for (const auto& [word, meaning] : words) known.push_back(word);
+  return app
+      .add_option_function<std::string>(
+          name, [&value, words](const std::string& word) { value = words.at(word); }, help)
+      ->check(CLI::IsMember(known).description(""))
+      ->type_name(fmt::format("{}", fmt::join(known, "|")));
+}
+
+void add_inputs(CLI::App& app, RawOptions& raw) {
+  app.add_option("--index", raw.indexes, "class index of an object; repeat it for more objects")
+      ->required()
+      ->type_name("FILE.aspect")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--config", raw.configuration,
+                 "tables [camera], [segmentation] and [recognition] in TOML")
+      ->type_name("FILE.toml");
+  app.add_option("frames", raw.frames, "pictures, folders of pictures, videos")
+      ->required()
+      ->type_name("FRAME_OR_FOLDER_OR_VIDEO");
+}
+
+void add_recognition(CLI::App& app, RawOptions& raw) {
+  using Ranking = RecogniserParameters::Ranking;
+  RecognitionOverrides& overrides = raw.options.recognition;
+  app.add_option_function<int>(
+         "--top", [&overrides](int top) { overrides.top = top; },
+         fmt::format("hypotheses for each object seen, 1 to {} [10]", kMaxHypotheses))
+      ->check(CLI::Range(1, kMaxHypotheses).description(""))
+      ->type_name("N");
+  add_choice<Matching>(app, "--matching", overrides.matching,
+                       {{"simple", Matching::simple}, {"weighted", Matching::weighted}},
+                       "match as many contours as possible, or those with the largest scores "
+                       "[weighted]");
+  add_choice<Ranking>(app, "--ranking", overrides.ranking,
+                      {{"views", Ranking::views}, {"classes", Ranking::classes}},
+                      "order hypotheses by their best key view, or by the class's score alone "
+                      "[views]");
+}
+
+void add_outputs(CLI::App& app, RawOptions& raw) {
+  constexpr double kMostFps = 1000, kLeastFps = 0.001;
+  app.add_option("--overlay", raw.overlay,
+                 "write every frame with what was recognised drawn over it, NNNNNN_NAME.png")
+      ->type_name("FOLDER");
+  app.add_option("--dump", raw.dump,
+                 "write one picture a stage: NNNNNN_1_input.png, _2_regions, _3_overlay; "
+                 "NNNNNN is the frame's sequence")
+      ->type_name("FOLDER");
+  app.add_option_function<double>(
+         "--pace", [&raw](double fps) { raw.options.pace_fps = fps; },
+         "start frames at this rate a second [as fast as possible]")
+      ->check(CLI::Range(kLeastFps, kMostFps).description(""))
+      ->type_name("FPS");
+}
+
+ReplayOptions finished(RawOptions raw) {
+  ReplayOptions options = std::move(raw.options);
+  options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
+  options.frames.assign(raw.frames.begin(), raw.frames.end());
+  if (!raw.configuration.empty()) options.configuration = raw.configuration;
+  if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
+  if (!raw.dump.empty()) options.dump_folder = raw.dump;
+  return options;
+}
+
+}  // namespace
+
+std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* const* argv) {
+  CLI::App app(kDescription, "aspect-replay");
+  app.footer(kFooter);
+  app.set_version_flag("--version", "aspect-replay " ASPECT_VERSION);
+  RawOptions raw;
+  add_inputs(app, raw);
+  add_recognition(app, raw);
+  add_outputs(app, raw);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    fmt::print(stderr, "aspect-replay: {}; see aspect-replay --help\n", error.what());
+    return kUsageError;
+  }
+  return finished(std::move(raw));
+}
+
+}  // namespace aspect

@@ -1,0 +1,25 @@
+// The command line of aspect-replay.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "runtime/service/configuration.h"
+
+namespace aspect {
+
+struct ReplayOptions {
+  std::vector<std::filesystem::path> indexes;
+  std::vector<std::filesystem::path> frames;
+  std::optional<std::filesystem::path> configuration;
+  std::optional<std::filesystem::path> overlay_folder, dump_folder;
+  std::optional<double> pace_fps;
+  RecognitionOverrides recognition;
+};
+
+// The options, or the exit code after help, version or a complaint have been printed.
+std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* const* argv);
+
+}  // namespace aspect
