@@ -17,11 +17,11 @@ struct CompileOptions {
   int min_level = 3;
   int level = 5;
 
-  // Largest match cost at which the three views of a patch count as alike, in kCostUnit = 10000;
+  // Largest match cost at which the three views of a patch count as alike, in units of kCostUnit = 10000;
   // the second one holds when patches are clustered and must not be smaller. Higher: fewer, larger
   // patches and clusters, until different aspects merge.
-  double threshold = 10000;
-  double cluster_threshold = 30000;
+  double threshold = 30000;
+  double cluster_threshold = 100000;
 
   // Clusters that cover less of the sphere than this are discarded as noise along the borders,
   // as the thesis does with its smallest (4.3.1).

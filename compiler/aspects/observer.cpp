@@ -69,6 +69,7 @@ ObservedView Observer::observe(const Eigen::Vector3d& direction) {
   graph_ = vision_.run(frame, parameters_);
   ObservedView view;
   view.direction = direction;
+  view.right = camera.camera_from_object.row(0);
   if (!graph_.blobs.empty()) {
     const Blob& blob = graph_.blobs.front();
     view.area_px = blob.area_px;

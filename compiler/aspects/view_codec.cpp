@@ -81,6 +81,7 @@ ObservedContour get_contour(Reader& reader) {
 
 std::vector<std::byte> encode_view(const ObservedView& view) {
   Writer writer;
+  for (const double x : view.right) writer.put(x);
   writer.put(view.area_px);
   writer.put(static_cast<std::uint32_t>(view.contours.size()));
   for (const ObservedContour& contour : view.contours) put_contour(writer, contour);
@@ -99,6 +100,7 @@ std::optional<ObservedView> decode_view(const Eigen::Vector3d& direction,
   Reader reader(bytes);
   ObservedView view;
   view.direction = direction;
+  for (double& x : view.right) reader.get(x);
   reader.get(view.area_px);
   const std::uint32_t contours = reader.get_count(kMostContours);
   for (std::uint32_t i = 0; i < contours && !reader.failed; ++i) {

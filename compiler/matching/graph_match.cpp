@@ -1,6 +1,9 @@
 #include "compiler/matching/graph_match.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "runtime/vision/relations.h"
@@ -30,6 +33,23 @@ double node_cost(const ContourFeature& a, const ContourFeature& b, const MatchSc
          second(a.moments.yy, b.moments.yy);
 }
 
+// The angle, clockwise on the screen, by which the picture of b must be turned to stand as a's does.
+double roll_between(const ObservedView& a, const ObservedView& b) {
+  const Eigen::Quaterniond along = Eigen::Quaterniond::FromTwoVectors(a.direction, b.direction);
+  const Eigen::Vector3d right = along * a.right;
+  // x right, y down, z away from the camera: down = z x right.
+  const Eigen::Vector3d down = (-b.direction).cross(right);
+  return std::atan2(b.right.dot(down), b.right.dot(right));
+}
+
+std::vector<ContourFeature> turned_features(const ObservedView& view, double roll) {
+  std::vector<ContourFeature> features;
+  const auto c = static_cast<float>(std::cos(roll)), s = static_cast<float>(std::sin(roll));
+  for (std::size_t k = 0; k < view.external_count; ++k)
+    features.push_back(turned(view.contours[k].feature, c, s));
+  return features;
+}
+
 // Arcs of a graph as a matrix; `known` is false where the graph does not keep the arc.
 struct Arc {
   bool known = false;
@@ -37,10 +57,12 @@ struct Arc {
   Relation::Kind kind = Relation::Kind::apart;
 };
 
-std::vector<Arc> arc_matrix(const ObservedView& view) {
+std::vector<Arc> arc_matrix(const ObservedView& view, double roll) {
   std::vector<Arc> arcs(view.external_count * view.external_count);
+  const long steps = std::lround(roll * 8 / std::numbers::pi);
   for (const Relation& r : view.relations)
-    arcs[r.from * view.external_count + r.to] = {true, r.direction, r.kind};
+    arcs[r.from * view.external_count + r.to] = {
+        true, static_cast<std::uint8_t>((r.direction + steps) & 15), r.kind};
   return arcs;
 }
 
@@ -70,18 +92,19 @@ struct Search {
          double limit)
       : n(a.external_count),
         nodes(n * n),
-        arcs_a(arc_matrix(a)),
-        arcs_b(arc_matrix(b)),
+        arcs_a(arc_matrix(a, 0)),
+        arcs_b(arc_matrix(b, roll_between(a, b))),
         scales(match_scales),
         order(n),
         least_from(n + 1, 0),
         mapping(n),
         used(n, false),
         best(limit) {
+    const std::vector<ContourFeature> turned_b = turned_features(b, roll_between(a, b));
     std::vector<double> least(n, kNoMatch);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < n; ++k) {
-        nodes[i * n + k] = node_cost(a.contours[i].feature, b.contours[k].feature, scales);
+        nodes[i * n + k] = node_cost(a.contours[i].feature, turned_b[k], scales);
         least[i] = std::min(least[i], nodes[i * n + k]);
       }
     }
@@ -147,10 +170,12 @@ GraphMatch match_graphs(const ObservedView& a, const ObservedView& b, const Matc
 double mapping_cost(const ObservedView& a, const ObservedView& b, const MatchScales& scales,
                     const std::vector<std::uint8_t>& mapping) {
   const std::size_t n = a.external_count;
-  const std::vector<Arc> arcs_a = arc_matrix(a), arcs_b = arc_matrix(b);
+  const double roll = roll_between(a, b);
+  const std::vector<ContourFeature> turned_b = turned_features(b, roll);
+  const std::vector<Arc> arcs_a = arc_matrix(a, 0), arcs_b = arc_matrix(b, roll);
   double cost = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    cost += node_cost(a.contours[i].feature, b.contours[mapping[i]].feature, scales);
+    cost += node_cost(a.contours[i].feature, turned_b[mapping[i]], scales);
     for (std::size_t j = 0; j < n; ++j)
       if (i != j) cost += arc_cost(arcs_a[i * n + j], arcs_b[mapping[i] * n + mapping[j]], scales);
   }

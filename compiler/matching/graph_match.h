@@ -1,5 +1,9 @@
 // Inexact matching of two views' attributed relational graphs (thesis 3.3.2): the one-to-one
 // mapping of external contours with the least cost, and that cost.
+//
+// Where we deviate: the second picture is first turned by the roll that its camera has against the
+// first one's moved over on the great circle, so that the poles, around which an upright camera
+// spins, are places like any other.
 #pragma once
 
 #include <cstdint>

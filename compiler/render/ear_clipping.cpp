@@ -1,9 +1,8 @@
-// Ear clipping (Meisters 1975). Idea: a corner whose triangle with its two neighbours holds no other
-// vertex can be cut off. Steps: drop the coordinate along which the normal is longest (the others
-// stay exact, so shared edges do), mark all ears, cut the best-shaped one, look again at its two
-// neighbours, repeat.
-// Weak side: O(n^2), and a polygon that cuts itself has no right answer: where no ear is left, the
-// smallest corner goes, so that the end is reached always.
+// Ear clipping (Meisters 1975). Idea: a corner whose triangle with its two neighbours holds no
+// other vertex can be cut off. Steps: drop the coordinate along which the normal is longest (the
+// others stay exact, so shared edges do), mark all ears, cut the best-shaped one, look again at its
+// two neighbours, repeat. Weak side: O(n^2), and a polygon that cuts itself has no right answer:
+// where no ear is left, the smallest corner goes, so that the end is reached always.
 #include "compiler/render/ear_clipping.h"
 
 #include <Eigen/Geometry>
@@ -20,9 +19,13 @@ using Point = Eigen::Vector2d;
 
 constexpr double kNoEar = -1;
 
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Point& a, const Point& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
-double doubled_area(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
+double doubled_area(const Point& a, const Point& b, const Point& c) {
+  return cross(b - a, c - a);
+}
 
 // Counter-clockwise in the plane where the normal is longest.
 std::vector<Point> flattened(std::span<const Eigen::Vector3d> vertices,

@@ -19,10 +19,10 @@ Eigen::Vector3d polygon_normal(std::span<const Eigen::Vector3d> vertices);
 bool is_convex(std::span<const Eigen::Vector3d> vertices);
 
 // Triangles that cover a simple polygon exactly once: their corners are the polygon's vertices, and
-// a vertex in the middle of a straight edge is a corner too, so that neighbours meet at it. Repeated
-// vertices are allowed, and so are holes that a double edge joins to the border (and that touch it
-// nowhere else). Triangles without area are left out. A polygon that cuts itself gives some
-// triangles. O(n^2).
+// a vertex in the middle of a straight edge is a corner too, so that neighbours meet at it.
+// Repeated vertices are allowed, and so are holes that a double edge joins to the border (and that
+// touch it nowhere else). Triangles without area are left out. A polygon that cuts itself gives
+// some triangles. O(n^2).
 std::vector<Triangle> triangulate(std::span<const Eigen::Vector3d> vertices);
 
 }  // namespace aspect

@@ -46,8 +46,8 @@ class EmbreeScene {
   std::vector<RoundSphere> spheres_;
   std::vector<RoundRing> rings_;
   std::vector<RoundCone> cones_;
-  std::vector<std::int32_t> primitives_;    // by part, the parts of geometry 0 first
-  std::vector<std::uint32_t> first_part_;   // by geometry
+  std::vector<std::int32_t> primitives_;   // by part, the parts of geometry 0 first
+  std::vector<std::uint32_t> first_part_;  // by geometry
 };
 
 }  // namespace aspect

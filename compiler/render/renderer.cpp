@@ -1,12 +1,13 @@
 // A view in three steps: the tile map says which tiles are background, which show one flat surface
 // and which need rays; the first two are filled, the others traced.
-// Figures (512x512, one core, AVX-512): all 90,000 rays of the cube's rectangle through bare Embree
-// take 0.8 ms; this way 1 in 9 is traced.
+// Figures (512x512, one core, AVX-512): the 90,000 rays of the cube's rectangle take bare Embree
+// 0.8 ms; this way 1 tile in 16 of those that show the cube is traced, and a view takes 0.16 ms,
+// most of it the writing of 2.4 MB.
 #include "compiler/render/renderer.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
 #include <limits>
 
 #include "compiler/render/ear_clipping.h"
@@ -66,8 +67,8 @@ std::string fault_of(const Scene& scene) {
 void resize(Picture& picture, const Intrinsics& intrinsics) {
   picture.width_px = intrinsics.width_px;
   picture.height_px = intrinsics.height_px;
-  const std::size_t pixels = static_cast<std::size_t>(picture.width_px) *
-                             static_cast<std::size_t>(picture.height_px);
+  const std::size_t pixels =
+      static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px);
   picture.rgb.resize(3 * pixels);
   picture.surface.resize(pixels);
   picture.depth.resize(pixels);
@@ -95,9 +96,9 @@ Result<Renderer> Renderer::create(const Scene& scene) {
 
   Result<EmbreeScene> embree = EmbreeScene::create(scene, triangles);
   if (!embree) return Error{scene.name + ": " + embree.error()};
-  return Renderer(std::unique_ptr<Impl>(
-      new Impl{std::move(embree).value(), outline_of(scene, triangles), Shading(scene),
-               to_8_bit(scene.studio.background)}));
+  return Renderer(
+      std::unique_ptr<Impl>(new Impl{std::move(embree).value(), outline_of(scene, triangles),
+                                     Shading(scene), to_8_bit(scene.studio.background)}));
 }
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

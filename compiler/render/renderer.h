@@ -22,7 +22,7 @@ struct Picture {
   std::vector<float> depth;            // distance along the camera's z axis, +inf = background
 
   // Every pixel outside is background; inside there may be background too, since the box is found
-  // by projecting bounds (on the pictures of the clean cases it is 0 to 4 pixels too wide a side).
+  // by projecting bounds (on the pictures of the clean cases it is 0 to 5 pixels too wide a side).
   // Empty where nothing can be seen. Later stages need not look outside.
   Box foreground;
 

@@ -24,8 +24,12 @@ inline float dot(float ax, float ay, float az, float bx, float by, float bz) {
   return ax * bx + ay * by + az * bz;
 }
 
-inline float lesser(float a, float b) { return a < b ? a : b; }
-inline float positive(float a) { return a > 0 ? a : 0.0f; }
+inline float lesser(float a, float b) {
+  return a < b ? a : b;
+}
+inline float positive(float a) {
+  return a > 0 ? a : 0.0f;
+}
 
 inline float within(const Ray& ray, float distance) {
   return (distance > ray.least) & (distance < ray.most) ? distance : kMiss;
@@ -132,7 +136,8 @@ void occlude(const RTCOccludedFunctionNArguments* arguments) {
 
 template <typename Shape>
 void bound(const RTCBoundsFunctionArguments* arguments) {
-  const RoundBox& box = static_cast<const Shape*>(arguments->geometryUserPtr)[arguments->primID].box;
+  const RoundBox& box =
+      static_cast<const Shape*>(arguments->geometryUserPtr)[arguments->primID].box;
   RTCBounds& bounds = *arguments->bounds_o;
   bounds.lower_x = box.least[0];
   bounds.lower_y = box.least[1];
@@ -153,7 +158,9 @@ Vector3d reach(const Vector3d& axis) {
   return (1 - axis.array().square()).max(0).sqrt().matrix();
 }
 
-float squared(double value) { return static_cast<float>(value * value); }
+float squared(double value) {
+  return static_cast<float>(value * value);
+}
 
 }  // namespace
 

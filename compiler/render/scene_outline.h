@@ -1,5 +1,5 @@
-// What is known of a scene before any ray is traced: for every primitive a wire frame around it, and
-// the convex flat pieces of surface whose pictures are known exactly. Object coordinates.
+// What is known of a scene before any ray is traced: for every primitive a wire frame around it,
+// and the convex flat pieces of surface whose pictures are known exactly. Object coordinates.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +17,9 @@ struct SceneOutline {
     std::uint32_t from = 0, to = 0;  // points
   };
 
-  // A primitive's wire frame. In every picture taken from outside, the border of the frame's area is
-  // made of pictures of its edges, and the primitive lies within. The same index as the primitive.
+  // A primitive's wire frame. In every picture taken from outside, the border of the frame's area
+  // is made of pictures of its edges, and the primitive lies within. The same index as the
+  // primitive.
   struct Frame {
     std::uint32_t first_point = 0, end_point = 0;
     std::uint32_t first_edge = 0, end_edge = 0;

@@ -59,8 +59,8 @@ Shading::Shading(const Scene& scene) : lights_(scene.lights) {
   }
 }
 
-void Shading::shade(const EmbreeScene& scene, const Vector3d& camera_object,
-                    const PacketHits& hits, std::array<Rgb, 16>& colors) const {
+void Shading::shade(const EmbreeScene& scene, const Vector3d& camera_object, const PacketHits& hits,
+                    std::array<Rgb, 16>& colors) const {
   std::array<Vector3d, 16> normals, sums;
   for (std::size_t k = 0; k < 16; ++k) {
     if (hits.primitive[k] < 0) continue;

@@ -36,8 +36,8 @@ class Shading {
   // Colours of points in a camera's sight; those of lanes without a hit stay as they are.
   // Ambient light plus, for every light that reaches the side the camera sees,
   // surface.diffuse * light.color * |normal . direction to the light|.
-  void shade(const EmbreeScene& scene, const Eigen::Vector3d& camera_object,
-             const PacketHits& hits, std::array<Rgb, 16>& colors) const;
+  void shade(const EmbreeScene& scene, const Eigen::Vector3d& camera_object, const PacketHits& hits,
+             std::array<Rgb, 16>& colors) const;
 
  private:
   struct Material {
@@ -52,9 +52,9 @@ class Shading {
 
   std::vector<Primitive> shapes_;  // empty where no light needs them
   std::vector<PointLight> lights_;
-  std::vector<Material> materials_;              // by primitive
-  std::vector<Rgb> ambient_;                     // by primitive
-  std::vector<Eigen::Vector3d> plate_normals_;   // by primitive; of polygons
+  std::vector<Material> materials_;             // by primitive
+  std::vector<Rgb> ambient_;                    // by primitive
+  std::vector<Eigen::Vector3d> plate_normals_;  // by primitive; of polygons
 };
 
 }  // namespace aspect

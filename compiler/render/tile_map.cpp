@@ -23,10 +23,12 @@ constexpr double kSteepest = 100;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kTile = TileMap::kTile;
-constexpr double kLastPixel = kTile - 1;       // of a tile, counted from its first
+constexpr double kLastPixel = kTile - 1;  // of a tile, counted from its first
 constexpr double kMiddle = kLastPixel / 2;
 
-int tiles_in(int pixels) { return (pixels + kTile - 1) / kTile; }
+int tiles_in(int pixels) {
+  return (pixels + kTile - 1) / kTile;
+}
 
 int floor_within(double value, int low, int high) {
   return static_cast<int>(std::floor(std::clamp<double>(value, low, high)));
@@ -159,8 +161,8 @@ void TileMap::claim_row(int row, const Span& inside, std::int32_t primitive) {
   if (begin >= end) return;
   const InverseDepth& plane = bodies_[static_cast<std::size_t>(primitive)].plane;
   const double spread = kMiddle * (std::abs(plane.x) + std::abs(plane.y));
-  const auto first = static_cast<float>(
-      plane.at(begin * kTile + kMiddle, row * kTile + kMiddle) - spread);
+  const auto first =
+      static_cast<float>(plane.at(begin * kTile + kMiddle, row * kTile + kMiddle) - spread);
   const auto step = static_cast<float>(kTile * plane.x);
   std::int32_t* owner = owner_.data() + offset(row) + begin;
   float* least = least_.data() + offset(row) + begin;
@@ -200,8 +202,10 @@ void TileMap::widen(const Point& a, const Point& b) {
   const double slope = height > 0 ? (lower.x_px - upper.x_px) / height : 0;
   for (int row = begin; row <= last; ++row) {
     const double enters = row * kTile - kMargin, leaves = row * kTile + kLastPixel + kMargin;
-    const double x0 = enters <= upper.y_px ? upper.x_px : upper.x_px + slope * (enters - upper.y_px);
-    const double x1 = leaves >= lower.y_px ? lower.x_px : upper.x_px + slope * (leaves - upper.y_px);
+    const double x0 =
+        enters <= upper.y_px ? upper.x_px : upper.x_px + slope * (enters - upper.y_px);
+    const double x1 =
+        leaves >= lower.y_px ? lower.x_px : upper.x_px + slope * (leaves - upper.y_px);
     Span& span = spans_[2 * static_cast<std::size_t>(row)];
     span.begin = std::min({span.begin, x0, x1});
     span.end = std::max({span.end, x0, x1});
@@ -222,9 +226,8 @@ void TileMap::contest_row(int row, const Span& touched, std::int32_t primitive) 
   float first = nearest, step = 0;
   if (body.flat) {
     const double spread = kMiddle * (std::abs(body.plane.x) + std::abs(body.plane.y));
-    first = static_cast<float>(
-        body.plane.at(begin * kTile + kMiddle, row * kTile + kMiddle) + spread +
-        kDepthMargin * body.nearest);
+    first = static_cast<float>(body.plane.at(begin * kTile + kMiddle, row * kTile + kMiddle) +
+                               spread + kDepthMargin * body.nearest);
     step = static_cast<float>(kTile * body.plane.x);
   }
   std::int32_t* owner = owner_.data() + offset(row) + begin;

@@ -27,8 +27,8 @@ struct InverseDepth {
 
 class TileMap {
  public:
-  static constexpr int kTile = 4;                 // pixels a side: 16 of them are one packet of rays
-  static constexpr std::int32_t kNothing = -1;    // background for certain
+  static constexpr int kTile = 4;               // pixels a side: 16 of them are one packet of rays
+  static constexpr std::int32_t kNothing = -1;  // background for certain
   static constexpr std::int32_t kContested = -2;  // needs rays
 
   // Works out every tile of a view. The memory is kept from view to view.

@@ -9,8 +9,12 @@ constexpr int kTile = TileMap::kTile;
 constexpr int kLanes = kTile * kTile;
 static_assert(kLanes == 16);
 
-int column(int lane) { return lane % kTile; }
-int row(int lane) { return lane / kTile; }
+int column(int lane) {
+  return lane % kTile;
+}
+int row(int lane) {
+  return lane / kTile;
+}
 
 }  // namespace
 
@@ -59,7 +63,8 @@ void TileTracer::trace(const Box& tile, PixelWriter& writer) {
   std::array<Rgb, kLanes> colors;
   for (std::size_t k = 0; k < kLanes; ++k) {
     const bool hit = packet_.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-    hits.primitive[k] = hit ? scene_.primitive_of(packet_.hit.geomID[k], packet_.hit.primID[k]) : -1;
+    hits.primitive[k] =
+        hit ? scene_.primitive_of(packet_.hit.geomID[k], packet_.hit.primID[k]) : -1;
     colors[k] = hit ? shading_.ambient(hits.primitive[k]) : background_;
   }
   if (shading_.has_lights()) shade(tile, hits, colors);
@@ -76,8 +81,7 @@ void TileTracer::shade(const Box& tile, PacketHits& hits, std::array<Rgb, 16>& c
     const auto k = static_cast<std::size_t>(lane);
     const Eigen::Vector3d direction = first_object_ + (tile.x + column(lane)) * right_object_ +
                                       (tile.y + row(lane)) * down_object_;
-    hits.point_object[k] =
-        camera_.position_object + double{packet_.ray.tfar[k]} * direction;
+    hits.point_object[k] = camera_.position_object + double{packet_.ray.tfar[k]} * direction;
   }
   shading_.shade(scene_, camera_.position_object, hits, colors);
 }

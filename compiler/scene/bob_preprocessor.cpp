@@ -57,7 +57,7 @@ bool BobPreprocessor::next_of_expansion(BobWord& word) {
       const bool first = expansion.position == 0;
       word = expansion.macro->body[expansion.position++];
       word.place = expansion.use.place;
-      if (first) word.space_before = expansion.use.space_before;
+      word.space_before = word.space_before || first;
       word.after_macro = std::exchange(after_macro_, false);
       if (++expanded_words_ > kMaxExpandedWords) {
         fail(word, fmt::format("the macros expand past {} words; define less at a time",

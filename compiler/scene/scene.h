@@ -71,7 +71,7 @@ struct Scene {
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures
   std::vector<PointLight> lights;
   std::vector<std::string> warnings;  // one line each, with file and line
-  std::string source;                 // the preprocessed words, normalised: what a store's key hashes
+  std::string source;  // the preprocessed words, normalised: what a store's key hashes
 };
 
 // Smallest radius of a sphere about the origin that holds every primitive (for cones and rings

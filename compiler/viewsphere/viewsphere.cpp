@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "runtime/base/check.h"
 
@@ -55,16 +56,11 @@ double arc_tangent(double x) {
 // A pole, the five vertices around it counter-clockwise, and the antipodes of all six. The lower
 // ring's vertex k lies between the upper ring's k and k + 1, which makes it the antipode of k + 3.
 std::vector<Eigen::Vector3d> icosahedron_vertices() {
-  const double root5 = std::sqrt(5.0);
-  const double cos72 = (root5 - 1) / 4;
-  const double cos144 = -(root5 + 1) / 4;
-  const double sin72 = std::sqrt(10 + 2 * root5) / 4;
-  const double sin144 = std::sqrt(10 - 2 * root5) / 4;
-  const Eigen::Vector3d pole(0, 0, 1);
+  constexpr double kPhi = std::numbers::phi;
+  const Eigen::Vector3d pole(0, 1, kPhi);
   const std::array<Eigen::Vector3d, 5> ring{
-      Eigen::Vector3d(1, 0, 0.5), Eigen::Vector3d(cos72, sin72, 0.5),
-      Eigen::Vector3d(cos144, sin144, 0.5), Eigen::Vector3d(cos144, -sin144, 0.5),
-      Eigen::Vector3d(cos72, -sin72, 0.5)};
+      Eigen::Vector3d(0, -1, kPhi), Eigen::Vector3d(kPhi, 0, 1), Eigen::Vector3d(1, kPhi, 0),
+      Eigen::Vector3d(-1, kPhi, 0), Eigen::Vector3d(-kPhi, 0, 1)};
   std::vector<Eigen::Vector3d> vertices{pole};
   vertices.insert(vertices.end(), ring.begin(), ring.end());
   // Subtracted from zero, not negated: there must be no -0.0, which would differ from 0.0 in bits.

@@ -31,9 +31,10 @@ struct Patch {
 
 class ViewSphere {
  public:
-  // The regular icosahedron: 12 vertices, with (0, 0, +-1) and (2, 0, 1) / sqrt(5) among them, and
-  // 20 patches of level 0. This is how the thesis's stood: the vertices that its A.2.5 and A.2.6
-  // list are vertices of this sphere and of no other that was tried.
+  // The regular icosahedron: 12 vertices, (0, +-1, +-phi) and its cyclic permutations normalised,
+  // and 20 patches of level 0. The axes pass through midpoints of its edges, so (+-1, 0, 0),
+  // (0, +-1, 0) and (0, 0, +-1) are vertices of level 1. The thesis's has vertices at (0, 0, +-1)
+  // and (2, 0, 1) / sqrt(5) instead, as the vertices listed in its A.2.5 and A.2.6 show.
   ViewSphere();
 
   // Splits a leaf into four: child k keeps corner k in place k, the middle child's corner k is the

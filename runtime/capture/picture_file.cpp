@@ -1,7 +1,7 @@
 #include "runtime/capture/picture_file.h"
 
-#include <exception>
 #include <fmt/format.h>
+#include <exception>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>

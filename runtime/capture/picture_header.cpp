@@ -1,13 +1,14 @@
 // PNG: chunks are walked to IEND, so that a file that ends early is seen whatever its decoder would
 // make of it. JPEG: segments are walked to the frame header and the first scan; a file whose scan
-// data never meet an end-of-image marker was cut off. Contents are not looked at, checksums neither.
+// data never meet an end-of-image marker was cut off. Contents are not looked at, checksums
+// neither.
 #include "runtime/capture/picture_header.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <fmt/format.h>
 
 #include "runtime/vision/vision_limits.h"
 

@@ -17,10 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 13> kPictureEndings = {
-    ".png", ".jpg", ".jpeg", ".jpe", ".bmp", ".tif", ".tiff",
-    ".webp", ".ppm", ".pgm", ".pbm", ".pnm", ".jp2"};
+    ".png",  ".jpg", ".jpeg", ".jpe", ".bmp", ".tif", ".tiff",
+    ".webp", ".ppm", ".pgm",  ".pbm", ".pnm", ".jp2"};
 constexpr std::array<std::string_view, 14> kVideoEndings = {
-    ".avi", ".mp4", ".m4v", ".mkv", ".mov", ".webm", ".mpg",
+    ".avi",  ".mp4", ".m4v", ".mkv", ".mov",  ".webm",  ".mpg",
     ".mpeg", ".ogv", ".wmv", ".flv", ".mjpg", ".mjpeg", ".ts"};
 
 bool ends_like(const fs::path& path, std::span<const std::string_view> endings) {

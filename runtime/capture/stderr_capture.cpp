@@ -1,9 +1,9 @@
 #include "runtime/capture/stderr_capture.h"
 
-#include <cstdio>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <cstdio>
 
 namespace aspect {
 
@@ -15,7 +15,9 @@ StderrCapture::StderrCapture() {
   if (memory_ >= 0) dup2(memory_, STDERR_FILENO);
 }
 
-StderrCapture::~StderrCapture() { finish(); }
+StderrCapture::~StderrCapture() {
+  finish();
+}
 
 std::string StderrCapture::finish() {
   std::string text;

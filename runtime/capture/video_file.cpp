@@ -1,9 +1,9 @@
 #include "runtime/capture/video_file.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <fmt/format.h>
 
 #include "runtime/capture/mat_frame.h"
 #include "runtime/capture/picture_header.h"
@@ -14,7 +14,9 @@ namespace {
 
 // Frames that may be missing against what the container announces before it counts as cut off: for
 // some containers the number is the duration times the rate, rounded.
-double tolerated_missing(double announced) { return std::max(2.0, 0.02 * announced); }
+double tolerated_missing(double announced) {
+  return std::max(2.0, 0.02 * announced);
+}
 
 }  // namespace
 

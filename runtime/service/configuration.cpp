@@ -1,7 +1,7 @@
 #include "runtime/service/configuration.h"
 
-#include <array>
 #include <fmt/format.h>
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -118,8 +118,8 @@ Result<Configuration> parse_configuration(std::string_view text, const std::stri
   try {
     return read_tables(toml::parse(text, name), name);
   } catch (const toml::parse_error& error) {
-    return Error{fmt::format("{}:{}: not TOML: {}; mend the line", name,
-                             error.source().begin.line, error.description())};
+    return Error{fmt::format("{}:{}: not TOML: {}; mend the line", name, error.source().begin.line,
+                             error.description())};
   }
 }
 

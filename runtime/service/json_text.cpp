@@ -41,14 +41,18 @@ void JsonText::begin_object() {
   put('{');
 }
 
-void JsonText::end_object() { put('}'); }
+void JsonText::end_object() {
+  put('}');
+}
 
 void JsonText::begin_array() {
   separate();
   put('[');
 }
 
-void JsonText::end_array() { put(']'); }
+void JsonText::end_array() {
+  put(']');
+}
 
 void JsonText::key(std::string_view name) {
   separate();
@@ -56,7 +60,9 @@ void JsonText::key(std::string_view name) {
   put(':');
 }
 
-void JsonText::end_line() { put('\n'); }
+void JsonText::end_line() {
+  put('\n');
+}
 
 void JsonText::value(std::string_view text) {
   separate();
@@ -70,8 +76,12 @@ void JsonText::value(std::int64_t number) {
   put({digits.data(), static_cast<std::size_t>(end.ptr - digits.data())});
 }
 
-void JsonText::value(float number) { put_real(number); }
-void JsonText::value(double number) { put_real(number); }
+void JsonText::value(float number) {
+  put_real(number);
+}
+void JsonText::value(double number) {
+  put_real(number);
+}
 
 template <typename Real>
 void JsonText::put_real(Real number) {
@@ -91,7 +101,9 @@ void JsonText::separate() {
   if (last != '{' && last != '[' && last != ':') put(',');
 }
 
-void JsonText::put(char c) { put(std::string_view(&c, 1)); }
+void JsonText::put(char c) {
+  put(std::string_view(&c, 1));
+}
 
 void JsonText::put(std::string_view text) {
   if (!fits_ || text.size() > out_.size() - size_) {

@@ -1,4 +1,5 @@
-// JSON into a caller's buffer: no allocation, no exceptions, commas and escapes in the right places.
+// JSON into a caller's buffer: no allocation, no exceptions, commas and escapes in the right
+// places.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "runtime/service/table_reader.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numeric>
 
 namespace aspect {
@@ -153,8 +153,8 @@ std::optional<Error> TableReader::finish() {
   for (const auto& [key, node] : table_) {
     const std::string_view name = key.str();
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    const auto nearest = std::min_element(
-        known_.begin(), known_.end(), [&](std::string_view a, std::string_view b) {
+    const auto nearest =
+        std::min_element(known_.begin(), known_.end(), [&](std::string_view a, std::string_view b) {
           return edit_distance(name, a) < edit_distance(name, b);
         });
     const std::string hint =

@@ -49,8 +49,12 @@ bool Components::add_row(int y, const RowLinks& links) {
     }
     const int stop = end_of_bytes(links.left, x + 1, end, 255);
     Run& run = runs_[static_cast<std::size_t>(count_)];
-    run = {static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(x),
-           static_cast<std::uint16_t>(stop), 0, count_, 0};
+    run = {static_cast<std::uint16_t>(y),
+           static_cast<std::uint16_t>(x),
+           static_cast<std::uint16_t>(stop),
+           0,
+           count_,
+           0};
     ++count_;
     x = end_of_bytes(links.counts, stop, end, 0);
   }
@@ -104,9 +108,8 @@ const Run& Components::run_at(int x, int y) const {
   const auto row = static_cast<std::size_t>(y);
   const auto first = runs_.begin() + row_first_run_[row];
   const auto last = runs_.begin() + row_first_run_[row + 1];
-  const auto after = std::upper_bound(first, last, x, [](int value, const Run& run) {
-    return value < run.begin;
-  });
+  const auto after =
+      std::upper_bound(first, last, x, [](int value, const Run& run) { return value < run.begin; });
   return *(after - 1);
 }
 

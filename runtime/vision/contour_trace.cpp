@@ -7,6 +7,7 @@
 #include "runtime/vision/contour_trace.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cstdlib>
 
 #include "runtime/vision/vision_limits.h"
@@ -40,7 +41,8 @@ struct ContourTracer::Walk {
 };
 
 void ContourTracer::take(Arena& arena, int width_px, int height_px) {
-  const std::size_t pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+  const std::size_t pixels =
+      static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
   seen_ = arena.take<std::uint8_t>(pixels);
   chains_ = arena.take<std::uint8_t>(pixels / 2 + 1024);
   contours_ = arena.take<TracedContour>(kMaxTraced);
@@ -52,8 +54,10 @@ std::uint16_t ContourTracer::label_at(const RegionMap& map, int x, int y) const 
   return map.labels[static_cast<std::size_t>(y * map.stride_px + x)];
 }
 
-// Looks round the pixel clockwise, starting behind direction `from`, for the next one of the border.
-int ContourTracer::next_direction(const RegionMap& map, const Walk& walk, Surrounding& surrounding) {
+// Looks round the pixel clockwise, starting behind direction `from`, for the next one of the
+// border.
+int ContourTracer::next_direction(const RegionMap& map, const Walk& walk,
+                                  Surrounding& surrounding) {
   auto& seen = seen_[static_cast<std::size_t>(walk.y * map.stride_px + walk.x)];
   seen |= kOnBorder;
   for (int turn = 1; turn <= 8; ++turn) {
@@ -106,21 +110,28 @@ std::span<const TracedContour> ContourTracer::run(const RegionMap& map, int hole
     std::fill_n(seen_.begin() + y * map.stride_px + box.x, box.width, std::uint8_t{0});
   chain_bytes_ = contour_count_ = 0;
   std::uint16_t highest_traced = 0;  // labels are in the order of their first pixels
+  // Borders that found no room are not tried again at each of their pixels.
+  std::bitset<kMaxRegions + 1> lost;
+  const auto trace_or_lose = [&](const Run& run, int x, bool external) {
+    if (trace(map, x, run.row, external)) return true;
+    lost.set(run.label);
+    ++dropped;
+    return false;
+  };
   for (const Run& run : map.runs) {
     if (run.label == 0) continue;
     if (run.label > highest_traced) {
       highest_traced = run.label;
-      if (!trace(map, run.begin, run.row, true)) ++dropped;
+      trace_or_lose(run, run.begin, true);
     }
+    if (lost.test(run.label)) continue;
     const int last = run.end - 1;
     if (label_at(map, run.end, run.row) == run.label ||
         (seen_[static_cast<std::size_t>(run.row * map.stride_px + last)] & kEastSeen) != 0)
       continue;
-    if (!trace(map, last, run.row, false)) {
-      ++dropped;
-    } else if (enclosed_area_px(contours_[contour_count_ - 1].chain) < hole_area_min_px) {
+    if (trace_or_lose(run, last, false) &&
+        enclosed_area_px(contours_[contour_count_ - 1].chain) < hole_area_min_px)
       chain_bytes_ -= contours_[--contour_count_].chain.size();
-    }
   }
   return contours_.first(contour_count_);
 }

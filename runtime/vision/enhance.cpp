@@ -37,8 +37,8 @@ void median_row(const Byte* low, const Byte* middle, const Byte* high, int width
   }
 }
 
-void smooth_plane(std::span<const Byte> from, int stride, const Box& box,
-                  std::span<Byte> scratch, std::span<Byte> to) {
+void smooth_plane(std::span<const Byte> from, int stride, const Box& box, std::span<Byte> scratch,
+                  std::span<Byte> to) {
   const auto width = static_cast<std::size_t>(box.width);
   Byte* low = scratch.data();
   Byte* middle = low + width;

@@ -7,8 +7,7 @@ namespace aspect {
 
 ContourFeature feature_of(const Contour& contour, const Blob& blob) {
   ContourFeature feature;
-  const float sum =
-      std::max(contour.mean_rgb[0] + contour.mean_rgb[1] + contour.mean_rgb[2], 1.0F);
+  const float sum = std::max(contour.mean_rgb[0] + contour.mean_rgb[1] + contour.mean_rgb[2], 1.0F);
   for (std::size_t channel = 0; channel < 3; ++channel)
     feature.share[channel] = contour.mean_rgb[channel] / sum;
   const float size_px = std::sqrt(blob.area_px);

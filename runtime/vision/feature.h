@@ -10,9 +10,9 @@ namespace aspect {
 
 struct ContourFeature {
   std::array<float, 3> share{};  // r, g, b over their sum
-  Point2 position;               // of its centre from the blob's, in square roots of the blob's area
-  float area = 0;                // share of the blob's area
-  Moments moments;               // central, free of scale
+  Point2 position;  // of its centre from the blob's, in square roots of the blob's area
+  float area = 0;   // share of the blob's area
+  Moments moments;  // central, free of scale
 };
 
 ContourFeature feature_of(const Contour& contour, const Blob& blob);

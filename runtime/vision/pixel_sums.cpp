@@ -42,7 +42,7 @@ Moments moments_of(const PixelSums& s) {
   const double yyy = s.yyy - 3 * y * s.yy + 2 * y * y * s.y;
   const double second = 1 / (n * n), third = second / std::sqrt(n);
   const auto scaled = [](double a, double b) { return static_cast<float>(a * b); };
-  return {scaled(xx, second),  scaled(xy, second),  scaled(yy, second), scaled(xxx, third),
+  return {scaled(xx, second), scaled(xy, second), scaled(yy, second), scaled(xxx, third),
           scaled(xxy, third), scaled(xyy, third), scaled(yyy, third)};
 }
 

@@ -15,11 +15,20 @@ float squared_distance(Point2 a, Point2 b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
+// A region surrounds what is in any of its holes, a hole only what it holds itself.
+bool surrounds(const Contour& outer, const Contour& inner) {
+  if (inner.inside != outer.region) return false;
+  if (outer.external) return true;
+  const Box &a = outer.box, &b = inner.box;
+  return inner.external && a.x <= b.x && a.y <= b.y && b.x + b.width <= a.x + a.width &&
+         b.y + b.height <= a.y + a.height;
+}
+
 Relation::Kind kind_of(const Contour& from, const Contour& to) {
   if (squared_distance(from.centre_px, to.centre_px) < kSuperimposed_px * kSuperimposed_px)
     return Relation::Kind::superimposed;
-  if (from.inside == to.region) return Relation::Kind::inside;
-  if (to.inside == from.region) return Relation::Kind::outside;
+  if (surrounds(to, from)) return Relation::Kind::inside;
+  if (surrounds(from, to)) return Relation::Kind::outside;
   return Relation::Kind::apart;
 }
 

@@ -4,13 +4,17 @@
 // components are then forgotten, and every foreground pixel left takes the most alike region next
 // to it, layer by layer, which puts the border where a blurred edge is half one colour and half
 // the other. In a picture without blur each border pixel falls back to its own side.
-// Weak side: what is thinner than three pixels has no core and is not seen.
+// Where pixels of one colour lead from core to core, the regions are one: that is what the thesis's
+// 4-connectedness says, and threads too thin to have a core still count.
+// Weak side: a region that is nowhere three pixels thick has no core and is not seen.
 #include "runtime/vision/segment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
+#include "runtime/vision/alike_rows.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -18,55 +22,30 @@ namespace {
 
 using Byte = std::uint8_t;
 
-// Foreground pixels within this many steps of a core take its label; wider blur stays unlabelled.
-constexpr int kGrowthLayers = 3;
+// Of a region that starts in a row for which the runs of the foreground found no room.
+constexpr std::int32_t kNoRoot = -1;
 
 // A core has fewer pixels than its region; smaller ones than this share of the least area are
 // noise.
 constexpr int kCoreAreaDivisor = 4;
 
-inline Byte difference(Byte a, Byte b) { return static_cast<Byte>(std::max(a, b) - std::min(a, b)); }
-
-// Pixels from some place on, plane by plane.
-struct SharePointers {
-  const Byte *red, *green, *blue, *intensity, *tolerance, *foreground;
-  SharePointers(const Shares& s, std::size_t offset)
-      : red(s.red.data() + offset),
-        green(s.green.data() + offset),
-        blue(s.blue.data() + offset),
-        intensity(s.intensity.data() + offset),
-        tolerance(s.tolerance.data() + offset),
-        foreground(s.foreground.data() + offset) {}
-};
-
-// 255 where two pixels are alike. Bytes, minima and maxima alone: the loops below must become
-// vector code, in which a branch or a wider type would cost several times as much.
-inline Byte alike(const SharePointers& a, const SharePointers& b, std::size_t i,
-                  Byte intensity_step) {
-  const Byte step =
-      std::max(std::max(difference(a.red[i], b.red[i]), difference(a.green[i], b.green[i])),
-               difference(a.blue[i], b.blue[i]));
-  const Byte allowed = std::max(a.tolerance[i], b.tolerance[i]);
-  const Byte colour = step <= allowed ? Byte{255} : Byte{0};
-  const Byte level =
-      difference(a.intensity[i], b.intensity[i]) <= intensity_step ? Byte{255} : Byte{0};
-  return colour & level;
-}
-
-// core[i] &= the pixels at a[i] and b[i] are alike, or one of them is background.
-void require_alike(SharePointers a, SharePointers b, std::size_t count, Byte intensity_step,
-                   Byte* __restrict core) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const Byte both = a.foreground[i] & b.foreground[i];
-    core[i] = static_cast<Byte>(core[i] & (alike(a, b, i, intensity_step) | ~both));
-  }
-}
-
-// link[i] = the pixels at a[i] and b[i] are alike, and both are core.
-void link_alike(SharePointers a, SharePointers b, const Byte* core_a, const Byte* core_b,
-                std::size_t count, Byte intensity_step, Byte* __restrict link) {
+// out[i] = 255 where there is foreground and no core.
+void mark_border(const Byte* foreground, const Byte* core, std::size_t count,
+                 Byte* __restrict out) {
   for (std::size_t i = 0; i < count; ++i)
-    link[i] = alike(a, b, i, intensity_step) & core_a[i] & core_b[i];
+    out[i] = static_cast<Byte>(foreground[i] & static_cast<Byte>(~core[i]));
+}
+
+// First index in [from, end) whose label differs from `label`, four at a time.
+int end_of_labels(const std::uint16_t* labels, int from, int end, std::uint16_t label) {
+  const std::uint64_t pattern = label * std::uint64_t{0x0001000100010001};
+  for (; from + 4 <= end; from += 4) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, labels + from, sizeof word);
+    if (word != pattern) break;
+  }
+  while (from < end && labels[from] == label) ++from;
+  return from;
 }
 
 // Runs come row by row, so the last one is the lowest.
@@ -83,8 +62,8 @@ void grow_box(Box& box, const Run& run) {
 struct Segmenter::Core {
   std::array<std::uint64_t, 3> rgb{};
   std::uint64_t area = 0;
-  std::array<float, 3> mean_rgb{};
-  std::array<Byte, 3> share{};
+
+  std::uint64_t sum() const { return std::max<std::uint64_t>(rgb[0] + rgb[1] + rgb[2], 1); }
 };
 
 void Segmenter::take(Arena& arena, int width_px, int height_px) {
@@ -98,8 +77,8 @@ void Segmenter::take(Arena& arena, int width_px, int height_px) {
   up_ = arena.take<Byte>(width);
   roots_ = arena.take<std::int32_t>(runs);
   cores_ = arena.take<Core>(kMaxRegions);
-  pending_ = arena.take<std::uint32_t>(pixels / 4);
-  pending_label_ = arena.take<std::uint16_t>(pixels / 4);
+  colours_ = arena.take<CoreColour>(kMaxRegions);
+  growth_.take(arena, width_px, height_px);
   runs_ = arena.take<Run>(runs);
   measured_ = arena.take<Region>(kMaxRegions);
   regions_ = arena.take<Region>(kMaxRegions);
@@ -112,18 +91,18 @@ RowLinks Segmenter::link_core_row(const Shares& shares, int y, int intensity_ste
   const auto stride = static_cast<std::size_t>(shares.stride_px);
   const auto offset = static_cast<std::size_t>(y * shares.stride_px + active_.x);
   const auto step = static_cast<Byte>(std::clamp(intensity_step / 3, 0, 255));
-  const SharePointers here(shares, offset);
+  const ShareRow here(shares, offset);
   Byte* core = core_.data() + offset;
   std::copy_n(here.foreground, width, core);
-  if (width > 2) require_alike(here, SharePointers(shares, offset + 2), width - 2, step, core + 1);
+  if (width > 2) require_alike(here, ShareRow(shares, offset + 2), width - 2, step, core + 1);
   if (y > active_.y && y + 1 < active_.y + active_.height)
-    require_alike(SharePointers(shares, offset - stride), SharePointers(shares, offset + stride),
-                  width, step, core);
+    require_alike(ShareRow(shares, offset - stride), ShareRow(shares, offset + stride), width, step,
+                  core);
   Byte* left = left_.data() + active_.x;
   left[0] = 0;
-  link_alike(here, SharePointers(shares, offset + 1), core, core + 1, width - 1, step, left + 1);
+  link_alike(here, ShareRow(shares, offset + 1), core, core + 1, width - 1, step, left + 1);
   if (y > active_.y)
-    link_alike(here, SharePointers(shares, offset - stride), core, core - stride, width, step,
+    link_alike(here, ShareRow(shares, offset - stride), core, core - stride, width, step,
                up_.data() + active_.x);
   return {core - active_.x, left_.data(), up_.data()};
 }
@@ -169,83 +148,54 @@ void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours) 
     core.rgb[2] += blue;
     core.area += length;
   }
-  for (Core& core : cores_.first(core_count_)) {
-    const std::uint64_t sum = core.rgb[0] + core.rgb[1] + core.rgb[2];
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      core.mean_rgb[channel] = static_cast<float>(static_cast<double>(core.rgb[channel]) /
-                                                  static_cast<double>(core.area));
-      core.share[channel] = static_cast<Byte>(255 * core.rgb[channel] / std::max<std::uint64_t>(sum, 1));
-    }
+  for (std::size_t k = 0; k < core_count_; ++k) {
+    const Core& core = cores_[k];
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      colours_[k].share[channel] = static_cast<Byte>(255 * core.rgb[channel] / core.sum());
+    colours_[k].intensity = static_cast<Byte>(core.sum() / (3 * core.area));
   }
 }
 
 void Segmenter::paint_cores(std::span<const Run> runs, const Shares& shares) {
-  pending_count_ = 0;
-  const auto wait = [this](int y, int begin, int end) {
-    for (int x = begin; x < end && pending_count_ < pending_.size(); ++x)
-      pending_[pending_count_++] = static_cast<std::uint32_t>(y * stride_px_ + x);
-  };
+  growth_.begin();
   const int end = active_.x + active_.width;
   for (int y = active_.y; y < active_.y + active_.height; ++y) {
-    const auto row = static_cast<std::size_t>(y * stride_px_);
-    std::fill_n(labels_.begin() + y * stride_px_ + active_.x, active_.width, std::uint16_t{0});
+    const auto first = static_cast<std::size_t>(y * stride_px_ + active_.x);
+    const auto width = static_cast<std::size_t>(active_.width);
+    std::fill_n(labels_.data() + first, width, std::uint16_t{0});
     Byte* border = left_.data();
-    for (int x = active_.x; x < end; ++x) {
-      const std::size_t i = row + static_cast<std::size_t>(x);
-      border[x] = shares.foreground[i] & static_cast<Byte>(~core_[i]);
-    }
+    mark_border(shares.foreground.data() + first, core_.data() + first, width, border + active_.x);
     for (int x = end_of_bytes(border, active_.x, end, 0); x < end;) {
       const int stop = end_of_bytes(border, x, end, 255);
-      wait(y, x, stop);
+      growth_.wait(y, x, stop);
       x = end_of_bytes(border, stop, end, 0);
     }
   }
   for (const Run& run : runs) {
     if (run.label == 0)
-      wait(run.row, run.begin, run.end);
+      growth_.wait(run.row, run.begin, run.end);
     else
       std::fill_n(labels_.begin() + run.row * stride_px_ + run.begin, run.end - run.begin,
                   run.label);
   }
 }
 
-std::uint16_t Segmenter::nearest_label(const Shares& shares, std::uint32_t pixel) const {
-  const int x = static_cast<int>(pixel) % stride_px_, y = static_cast<int>(pixel) / stride_px_;
-  std::uint16_t best = 0;
-  int least = 256;
-  const auto consider = [&](bool within, std::ptrdiff_t step) {
-    if (!within) return;
-    const std::uint16_t label =
-        labels_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(pixel) + step)];
-    if (label == 0 || label == best) return;
-    const auto& share = cores_[label - 1U].share;
-    const int distance = std::max({std::abs(shares.red[pixel] - share[0]),
-                                   std::abs(shares.green[pixel] - share[1]),
-                                   std::abs(shares.blue[pixel] - share[2])});
-    if (distance < least || (distance == least && label < best)) {
-      least = distance;
-      best = label;
-    }
-  };
-  consider(x > active_.x, -1);
-  consider(x + 1 < active_.x + active_.width, 1);
-  consider(y > active_.y, -stride_px_);
-  consider(y + 1 < active_.y + active_.height, stride_px_);
-  return best;
+// Labels without a run would keep the number of a core.
+void Segmenter::clear_labels_from(int x, int y) {
+  const int end = active_.x + active_.width;
+  std::fill_n(labels_.begin() + y * stride_px_ + x, end - x, std::uint16_t{0});
+  for (int row = y + 1; row < active_.y + active_.height; ++row)
+    std::fill_n(labels_.begin() + row * stride_px_ + active_.x, active_.width, std::uint16_t{0});
 }
 
-void Segmenter::grow(const Shares& shares) {
-  for (int layer = 0; layer < kGrowthLayers; ++layer) {
-    for (std::size_t k = 0; k < pending_count_; ++k)
-      pending_label_[k] = nearest_label(shares, pending_[k]);
-    std::size_t left = 0;
-    for (std::size_t k = 0; k < pending_count_; ++k) {
-      if (pending_label_[k] != 0)
-        labels_[pending_[k]] = pending_label_[k];
-      else
-        pending_[left++] = pending_[k];
-    }
-    pending_count_ = left;
+// What growth has joined is one region from here on, under the lowest label.
+void Segmenter::merge_joined_cores() {
+  for (std::size_t k = 0; k < core_count_; ++k) {
+    const std::size_t joined = growth_.joined(static_cast<std::uint16_t>(k + 1)) - 1U;
+    if (joined == k) continue;
+    cores_[joined].area += cores_[k].area;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      cores_[joined].rgb[channel] += cores_[k].rgb[channel];
   }
 }
 
@@ -253,18 +203,24 @@ void Segmenter::find_region_runs() {
   run_count_ = 0;
   const int end = active_.x + active_.width;
   for (int y = active_.y; y < active_.y + active_.height; ++y) {
-    const std::uint16_t* row = labels_.data() + y * stride_px_;
+    std::uint16_t* row = labels_.data() + y * stride_px_;
     for (int x = active_.x; x < end;) {
-      const std::uint16_t label = row[x];
-      int stop = x + 1;
-      while (stop < end && row[stop] == label) ++stop;
+      const std::uint16_t grown = row[x];
+      const int stop = end_of_labels(row, x + 1, end, grown);
+      const std::uint16_t label = growth_.joined(grown);
+      if (label != grown) std::fill(row + x, row + stop, label);
       if (label != 0) {
         if (run_count_ == runs_.size()) {
           ++dropped_;
+          clear_labels_from(x, y);
           return;
         }
-        runs_[run_count_++] = {static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(x),
-                               static_cast<std::uint16_t>(stop), label, 0, 0};
+        runs_[run_count_++] = {static_cast<std::uint16_t>(y),
+                               static_cast<std::uint16_t>(x),
+                               static_cast<std::uint16_t>(stop),
+                               label,
+                               0,
+                               0};
       }
       x = stop;
     }
@@ -279,6 +235,14 @@ void Segmenter::measure_regions() {
     Region& region = measured_[run.label - 1U];
     add_run(region.sums, run, region.box);
   }
+}
+
+std::array<float, 3> Segmenter::mean_rgb(const Core& core) {
+  std::array<float, 3> mean{};
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    mean[channel] = static_cast<float>(static_cast<double>(core.rgb[channel]) /
+                                       static_cast<double>(core.area));
+  return mean;
 }
 
 // Forgets small regions and filaments and numbers the rest in the order of their first pixels.
@@ -296,7 +260,7 @@ void Segmenter::drop_small(const VisionParameters& parameters) {
       label = 0;
       if (kept) {
         regions_[region_count_] = region;
-        regions_[region_count_].mean_rgb = cores_[run.label - 1U].mean_rgb;
+        regions_[region_count_].mean_rgb = mean_rgb(cores_[run.label - 1U]);
         label = static_cast<std::uint16_t>(++region_count_);
       }
     }
@@ -304,6 +268,25 @@ void Segmenter::drop_small(const VisionParameters& parameters) {
     run.label = label;
     std::fill_n(labels_.begin() + run.row * stride_px_ + run.begin, run.end - run.begin, label);
   }
+}
+
+// Writes the root of each region's piece of foreground to its `blob`, and all of them to roots_;
+// returns their number.
+std::size_t Segmenter::find_roots(bool one_blob) {
+  const int row_end = active_.y + active_.height - components_.dropped_rows();
+  std::size_t count = 0, labels_met = 0;
+  for (const Run& run : runs_.first(run_count_)) {
+    if (run.label <= labels_met) continue;
+    labels_met = run.label;
+    std::int32_t root = kNoRoot;
+    if (one_blob)
+      root = 0;
+    else if (run.row < row_end)
+      root = components_.run_at(run.begin, run.row).root;
+    regions_[labels_met - 1].blob = root;
+    if (root != kNoRoot) roots_[count++] = root;
+  }
+  return count;
 }
 
 // Blobs that hold a region, largest first. Regions of a blob too many get blob = kMaxBlobs and are
@@ -319,16 +302,9 @@ void Segmenter::find_blobs(const Shares& shares, bool one_blob) {
       run.root = 0;
     }
   }
-  std::size_t labels_met = 0;
-  for (const Run& run : runs_.first(run_count_)) {
-    if (run.label <= labels_met) continue;
-    labels_met = run.label;
-    roots_[labels_met - 1] = one_blob ? 0 : components_.run_at(run.begin, run.row).root;
-    regions_[labels_met - 1].blob = roots_[labels_met - 1];
-  }
   const auto root = [&](std::int32_t i) -> Run& { return runs[static_cast<std::size_t>(i)]; };
   const auto first = roots_.begin();
-  auto last = first + static_cast<std::ptrdiff_t>(region_count_);
+  auto last = first + static_cast<std::ptrdiff_t>(find_roots(one_blob));
   std::sort(first, last);
   last = std::unique(first, last);
   std::sort(first, last, [&](std::int32_t a, std::int32_t b) {
@@ -338,7 +314,7 @@ void Segmenter::find_blobs(const Shares& shares, bool one_blob) {
   for (std::size_t k = 0; k < blob_count_; ++k)
     root(roots_[k]).label = static_cast<std::uint16_t>(k + 1);
   for (Region& region : regions_.first(region_count_)) {
-    const int label = root(region.blob).label;
+    const int label = region.blob == kNoRoot ? 0 : root(region.blob).label;
     region.blob = label == 0 ? kMaxBlobs : label - 1;
     if (label == 0) ++dropped_;
   }
@@ -368,14 +344,18 @@ void Segmenter::measure_blobs(std::span<const Run> runs) {
 RegionMap Segmenter::run(const Planes& colours, const Shares& shares,
                          const VisionParameters& parameters) noexcept {
   active_ = shares.active;
-  const std::span<Run> cores = components_.run(active_, [&](int y) {
-    return link_core_row(shares, y, parameters.intensity_step);
-  });
+  const std::span<Run> cores = components_.run(
+      active_, [&](int y) { return link_core_row(shares, y, parameters.intensity_step); });
   dropped_ = components_.dropped_rows();
+  // Rows that found no room would show the cores of an earlier frame.
+  const int end = active_.y + active_.height;
+  for (int y = end - components_.dropped_rows(); y < end; ++y)
+    std::fill_n(core_.begin() + y * stride_px_ + active_.x, active_.width, Byte{0});
   choose_cores(cores, parameters.area_min_px);
   measure_cores(cores, colours);
   paint_cores(cores, shares);
-  grow(shares);
+  growth_.run(shares, colours_.first(core_count_), parameters, {labels_, stride_px_, active_});
+  merge_joined_cores();
   find_region_runs();
   measure_regions();
   drop_small(parameters);

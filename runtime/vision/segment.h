@@ -12,6 +12,7 @@
 #include "runtime/vision/enhance.h"
 #include "runtime/vision/pixel_sums.h"
 #include "runtime/vision/planes.h"
+#include "runtime/vision/region_growth.h"
 #include "runtime/vision/view_graph.h"
 #include "runtime/vision/vision_parameters.h"
 
@@ -48,11 +49,13 @@ class Segmenter {
   void choose_cores(std::span<Run> runs, int area_min_px);
   void measure_cores(std::span<const Run> runs, const Planes& colours);
   void paint_cores(std::span<const Run> runs, const Shares& shares);
-  void grow(const Shares& shares);
-  std::uint16_t nearest_label(const Shares& shares, std::uint32_t pixel) const;
+  void merge_joined_cores();
+  static std::array<float, 3> mean_rgb(const Core& core);
   void find_region_runs();
+  void clear_labels_from(int x, int y);
   void measure_regions();
   void drop_small(const VisionParameters& parameters);
+  std::size_t find_roots(bool one_blob);
   void find_blobs(const Shares& shares, bool one_blob);
   void measure_blobs(std::span<const Run> runs);
 
@@ -60,8 +63,8 @@ class Segmenter {
   std::span<std::uint8_t> core_, left_, up_;  // plane, row, row
   std::span<std::int32_t> roots_;
   std::span<Core> cores_;
-  std::span<std::uint32_t> pending_;  // foreground pixels without a label
-  std::span<std::uint16_t> pending_label_;
+  std::span<CoreColour> colours_;
+  RegionGrowth growth_;
   std::span<Run> runs_;
   std::span<Region> measured_;  // by core
   std::span<Region> regions_;
@@ -69,7 +72,7 @@ class Segmenter {
   std::span<std::uint16_t> labels_;
   int stride_px_ = 0;
   Box active_;
-  std::size_t core_count_ = 0, pending_count_ = 0, run_count_ = 0, region_count_ = 0,
+  std::size_t core_count_ = 0, run_count_ = 0, region_count_ = 0,
               blob_count_ = 0;
   int dropped_ = 0;
 };

@@ -69,7 +69,7 @@ struct ViewGraph {
   std::span<const Contour> contours;    // by blob, within it in the order found
   std::span<const Relation> relations;  // by blob
   std::span<const Blob> blobs;          // largest first
-  int dropped_regions = 0;  // lost to a capacity: the smallest ones, or the lowest rows
+  int dropped_regions = 0;              // lost to a capacity: the smallest ones, or the lowest rows
 };
 
 }  // namespace aspect

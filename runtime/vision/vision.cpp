@@ -1,12 +1,36 @@
 #include "runtime/vision/vision.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "runtime/vision/attributes.h"
 #include "runtime/vision/relations.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
+
+namespace {
+
+// Moves the `most` largest contours to the front, in the order that they are in, and returns how
+// many there are.
+std::size_t keep_largest(std::span<Contour> contours, std::size_t most) {
+  if (contours.size() <= most) return contours.size();
+  std::array<std::uint16_t, 2 * kMaxRegions> indices;
+  const auto order = std::span(indices).first(contours.size());
+  std::iota(order.begin(), order.end(), std::uint16_t{0});
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(most);
+  std::nth_element(order.begin(), end, order.end(), [&](std::uint16_t a, std::uint16_t b) {
+    const float area_a = contours[a].area_px, area_b = contours[b].area_px;
+    return area_a != area_b ? area_a > area_b : a < b;
+  });
+  std::sort(order.begin(), end);
+  // None moves towards the end, so none is overwritten before it has moved.
+  for (std::size_t k = 0; k < most; ++k) contours[k] = contours[order[k]];
+  return most;
+}
+
+}  // namespace
 
 void Vision::prepare(Arena& arena, int width_px, int height_px) {
   width_px_ = std::min(width_px, kMaxFrameSide_px);
@@ -57,18 +81,16 @@ ViewGraph Vision::build_graph(const VisionParameters& parameters) {
     const std::size_t first = contour_count;
     for (const TracedContour& contour : traced) {
       if (regions_.regions[contour.label - 1U].blob != static_cast<int>(k)) continue;
-      if (contour_count - first == kMaxBlobContours) {
-        ++dropped;
-        continue;
-      }
       contours_[contour_count++] = describe(regions_, contour);
     }
-    const auto own = contours_.subspan(first, contour_count - first);
+    const auto found = contours_.subspan(first, contour_count - first);
+    const auto own = found.first(keep_largest(found, kMaxBlobContours));
+    dropped += static_cast<int>(found.size() - own.size());
+    contour_count = first + own.size();
     blob.first_contour = static_cast<int>(first);
     blob.contour_count = static_cast<int>(own.size());
     blob.first_relation = static_cast<int>(relation_count);
-    blob.relation_count =
-        relate(own, parameters.relations_max, relations_.subspan(relation_count));
+    blob.relation_count = relate(own, parameters.relations_max, relations_.subspan(relation_count));
     relation_count += static_cast<std::size_t>(blob.relation_count);
   }
   return {contours_.first(contour_count), relations_.first(relation_count), blobs, dropped};

@@ -10,5 +10,6 @@ inline constexpr int kMaxBlobs = 64;             // blobs of a frame
 inline constexpr int kMaxBlobContours = 48;      // contours of a blob
 inline constexpr int kMaxRelations = 16 * 1024;  // of a frame
 inline constexpr int kRunsPerPixelDivisor = 4;   // runs: a quarter of the pixels
+inline constexpr int kWaitingPixelDivisor = 4;   // pixels between cores: a quarter of all
 
 }  // namespace aspect

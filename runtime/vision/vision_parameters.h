@@ -25,12 +25,12 @@ struct VisionParameters {
   // where surfaces differ in grey alone; shading then breaks up.
   int intensity_step = 765;
 
-  // Smaller regions are discarded. Typical 24 at 512 x 512.
-  int area_min_px = 24;
+  // Smaller regions are discarded. Typical 40 at 512 x 512.
+  int area_min_px = 40;
 
-  // Filaments thinner than this are discarded. Typical 3: the pixel grid breaks thinner slivers
-  // into pieces.
-  float thickness_min_px = 3.0F;
+  // Filaments thinner than this are discarded. Typical 5: the pixel grid breaks thinner slivers
+  // into pieces, and aspects with them; lower sees finer detail.
+  float thickness_min_px = 5.0F;
 
   // 1. step, a 3 x 3 median: removes noise, keeps edges. Costs a third of the time.
   bool smooth = true;

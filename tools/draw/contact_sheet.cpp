@@ -43,7 +43,9 @@ void draw_caption(cv::Mat strip, const std::string& caption, const TextStyle& ce
 
 }  // namespace
 
-int caption_height_px(cv::Size cell) { return text_style_for(cell).line_px; }
+int caption_height_px(cv::Size cell) {
+  return text_style_for(cell).line_px;
+}
 
 cv::Mat contact_sheet(std::span<const SheetPicture> pictures, int columns) {
   ASPECT_CHECK(columns >= 1);

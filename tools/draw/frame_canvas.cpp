@@ -22,7 +22,8 @@ int scale_for(cv::Size frame) {
 
 cv::Mat picture_of(const Frame& frame) {
   // OpenCV has no read-only view; the copy below is what gets drawn on.
-  const cv::Mat view(frame.height_px, frame.width_px, CV_8UC3, const_cast<std::uint8_t*>(frame.data),
+  const cv::Mat view(frame.height_px, frame.width_px, CV_8UC3,
+                     const_cast<std::uint8_t*>(frame.data),
                      static_cast<std::size_t>(frame.stride_bytes));
   cv::Mat picture;
   if (frame.format == PixelFormat::bgr8)

@@ -29,7 +29,9 @@ std::string printable(const std::string& text) {
   return clean;
 }
 
-int outline_px(const TextStyle& style) { return style.thickness_px + 1; }
+int outline_px(const TextStyle& style) {
+  return style.thickness_px + 1;
+}
 
 }  // namespace
 
@@ -67,17 +69,36 @@ void draw_text(cv::Mat& picture, const std::string& text, cv::Point corner, cons
   cv::putText(picture, clean, base, kFont, style.scale, colour, style.thickness_px, cv::LINE_AA);
 }
 
-void LabelPlacer::draw(const std::string& text, cv::Point centre, const cv::Scalar& colour) {
+cv::Rect LabelPlacer::within_picture(cv::Point corner, cv::Size size) const {
+  return {std::max(0, std::min(corner.x, picture_.cols - size.width)),
+          std::max(0, std::min(corner.y, picture_.rows - size.height)), size.width, size.height};
+}
+
+bool LabelPlacer::is_free(const cv::Rect& place) const {
+  return std::none_of(taken_.begin(), taken_.end(),
+                      [&](const cv::Rect& other) { return (other & place).area() > 0; });
+}
+
+void LabelPlacer::draw(const std::string& text, std::span<const cv::Point> corners,
+                       const TextStyle& style, const cv::Scalar& colour) {
   constexpr int kMaxMoves = 12;
-  const cv::Size size = text_size(text, style_);
-  cv::Rect place(centre - cv::Point(size.width / 2, size.height / 2), size);
-  const auto is_taken = [&](const cv::Rect& other) { return (other & place).area() > 0; };
-  for (int move = 0; move < kMaxMoves; ++move) {
-    if (std::none_of(taken_.begin(), taken_.end(), is_taken)) break;
-    place.y += size.height / 2;
-  }
+  const cv::Size size = text_size(text, style);
+  std::vector<cv::Rect> places;
+  for (const cv::Point corner : corners) places.push_back(within_picture(corner, size));
+  for (int move = 1; move <= kMaxMoves; ++move)
+    places.push_back(within_picture(corners.front() + cv::Point(0, move * size.height / 2), size));
+  const auto found = std::find_if(places.begin(), places.end(),
+                                  [&](const cv::Rect& place) { return is_free(place); });
+  const cv::Rect place = found == places.end() ? places.front() : *found;
   taken_.push_back(place);
-  draw_text(picture_, text, place.tl(), style_, colour);
+  draw_text(picture_, text, place.tl(), style, colour);
+}
+
+void LabelPlacer::draw_centred(const std::string& text, cv::Point centre, const TextStyle& style,
+                               const cv::Scalar& colour) {
+  const cv::Size size = text_size(text, style);
+  const cv::Point corner = centre - cv::Point(size.width / 2, size.height / 2);
+  draw(text, std::span(&corner, 1), style, colour);
 }
 
 }  // namespace aspect

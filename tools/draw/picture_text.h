@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,15 +25,21 @@ cv::Size text_size(const std::string& text, const TextStyle& style);
 void draw_text(cv::Mat& picture, const std::string& text, cv::Point corner, const TextStyle& style,
                const cv::Scalar& colour = {255, 255, 255});
 
-// Short labels at points, moved down where another one is in the way.
+// Texts that keep out of each other's way.
 class LabelPlacer {
  public:
-  LabelPlacer(cv::Mat& picture, const TextStyle& style) : picture_(picture), style_(style) {}
-  void draw(const std::string& text, cv::Point centre, const cv::Scalar& colour);
+  explicit LabelPlacer(cv::Mat& picture) : picture_(picture) {}
+  // At the first of the corners where no other text is; if there is none, further down.
+  void draw(const std::string& text, std::span<const cv::Point> corners, const TextStyle& style,
+            const cv::Scalar& colour);
+  void draw_centred(const std::string& text, cv::Point centre, const TextStyle& style,
+                    const cv::Scalar& colour);
 
  private:
+  cv::Rect within_picture(cv::Point corner, cv::Size size) const;
+  bool is_free(const cv::Rect& place) const;
+
   cv::Mat& picture_;
-  TextStyle style_;
   std::vector<cv::Rect> taken_;
 };
 

@@ -1,7 +1,7 @@
 #include "tools/draw/recognition_draw.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <array>
 #include <opencv2/imgproc.hpp>
 
 #include "runtime/service/recognition_json.h"
@@ -27,24 +27,33 @@ std::string label_of(std::size_t contour, std::span<const SeenObject> objects) {
 std::string caption_of(const SeenObject& object, std::span<const ClassIndex> indexes) {
   if (object.hypotheses.empty()) return "nothing known";
   const Hypothesis& best = object.hypotheses.front();
-  return fmt::format("{} class {}  score {:.3g}  view {:+.2f} {:+.2f} {:+.2f}",
+  return fmt::format("{} class {} score {:.3g} view {:.2f} {:.2f} {:.2f}",
                      indexes[best.index].object, best.class_id, best.score, best.view[0],
                      best.view[1], best.view[2]);
 }
 
-void draw_object(FrameCanvas& canvas, const SeenObject& object,
-                 std::span<const ClassIndex> indexes) {
+void draw_box(FrameCanvas& canvas, const SeenObject& object) {
   const cv::Rect box = canvas.at(object.box);
-  const cv::Scalar white(255, 255, 255), dark(20, 20, 20);
+  const cv::Scalar dark(20, 20, 20), grey(150, 150, 150), white(255, 255, 255);
   cv::rectangle(canvas.picture(), box, dark, canvas.line_px() + 2);
-  cv::rectangle(canvas.picture(), box, object.hypotheses.empty() ? cv::Scalar(150, 150, 150) : white,
-                canvas.line_px());
+  cv::rectangle(canvas.picture(), box, object.hypotheses.empty() ? grey : white, canvas.line_px());
+}
+
+// Above the box or, where there is no room, below it.
+void draw_caption(FrameCanvas& canvas, LabelPlacer& labels, const SeenObject& object,
+                  std::span<const ClassIndex> indexes) {
+  const cv::Rect box = canvas.at(object.box);
   const std::string caption = caption_of(object, indexes);
   const TextStyle style = fitted(canvas.text_style(), caption, canvas.picture().cols);
-  // Above the box; below it where there is no room above.
-  const int height = text_size(caption, style).height + canvas.line_px();
-  const int y = box.y >= height ? box.y - height : box.y + box.height + canvas.line_px();
-  draw_text(canvas.picture(), caption, {box.x, y}, style, {170, 255, 255});
+  const cv::Point above(box.x, box.y - text_size(caption, style).height - canvas.line_px());
+  const cv::Point below(box.x, box.y + box.height + canvas.line_px());
+  const std::array<cv::Point, 2> corners = {above.y >= 0 ? above : below, below};
+  labels.draw(caption, corners, style, {170, 255, 255});
+}
+
+// Light enough to be read; the outlines have the full colour.
+cv::Scalar text_colour(int id) {
+  return id_colour(id) * 0.45 + cv::Scalar::all(140);
 }
 
 }  // namespace
@@ -54,14 +63,18 @@ cv::Mat draw_recognition(const Frame& frame, const Recognition& recognition, con
   FrameCanvas canvas(picture_of(frame));
   const auto contours = recognition.graph.contours;
   for (const Contour& contour : contours) canvas.draw_outline(contour, id_colour(contour.region));
-  LabelPlacer labels(canvas.picture(), canvas.text_style());
+  for (const SeenObject& object : recognition.objects) draw_box(canvas, object);
+
+  const TextStyle style = canvas.text_style();
+  LabelPlacer labels(canvas.picture());
+  for (const SeenObject& object : recognition.objects)
+    draw_caption(canvas, labels, object, indexes);
   for (std::size_t k = 0; k < contours.size(); ++k) {
     if (!contours[k].external) continue;
     const Point2 point = label_point(contours[k], map);
-    labels.draw(label_of(k, recognition.objects), canvas.at(point.x, point.y),
-                id_colour(contours[k].region));
+    labels.draw_centred(label_of(k, recognition.objects), canvas.at(point.x, point.y), style,
+                        text_colour(contours[k].region));
   }
-  for (const SeenObject& object : recognition.objects) draw_object(canvas, object, indexes);
   return canvas.picture();
 }
 

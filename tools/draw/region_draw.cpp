@@ -22,12 +22,13 @@ cv::Mat false_colours(const RegionMap& map, int width_px, int height_px) {
 
 cv::Mat draw_regions(const RegionMap& map, const ViewGraph& graph, int width_px, int height_px) {
   FrameCanvas canvas(false_colours(map, width_px, height_px));
-  LabelPlacer labels(canvas.picture(), canvas.text_style());
+  const TextStyle style = canvas.text_style();
+  LabelPlacer labels(canvas.picture());
   for (std::size_t k = 0; k < graph.contours.size(); ++k) {
     const Contour& contour = graph.contours[k];
     const Point2 point = label_point(contour, map);
-    labels.draw(contour.external ? fmt::to_string(k) : fmt::format("({})", k),
-                canvas.at(point.x, point.y), {255, 255, 255});
+    labels.draw_centred(contour.external ? fmt::to_string(k) : fmt::format("({})", k),
+                        canvas.at(point.x, point.y), style, {255, 255, 255});
   }
   return canvas.picture();
 }

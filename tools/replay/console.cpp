@@ -1,8 +1,8 @@
 #include "tools/replay/console.h"
 
-#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <cstdio>
 
 namespace aspect {
 namespace {
@@ -26,14 +26,18 @@ Console::Console(std::string program)
     : program_(std::move(program)),
       shows_progress_(isatty(STDERR_FILENO) == 1 && isatty(STDOUT_FILENO) == 0) {}
 
-Console::~Console() { clear_progress(); }
+Console::~Console() {
+  clear_progress();
+}
 
 void Console::fail(std::string_view message) {
   ++failures_;
   print("", message);
 }
 
-void Console::warn(std::string_view message) { print("warning: ", message); }
+void Console::warn(std::string_view message) {
+  print("warning: ", message);
+}
 
 void Console::print(std::string_view kind, std::string_view message) {
   clear_progress();

@@ -1,7 +1,7 @@
 #include "tools/replay/index_set.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <string>
 #include <system_error>
 
@@ -61,9 +61,10 @@ std::vector<ClassIndex> load_indexes(std::span<const fs::path> files, Console& c
     const std::string different =
         indexes.empty() ? "" : differences(indexes.front().vision, index.value().vision);
     if (!different.empty())
-      console.warn(fmt::format("{}: compiled with another [segmentation] than {}, whose values are "
-                               "used: {}",
-                               name, used.front().native(), different));
+      console.warn(
+          fmt::format("{}: compiled with another [segmentation] than {}, whose values are "
+                      "used: {}",
+                      name, used.front().native(), different));
     indexes.push_back(std::move(index).value());
     used.push_back(file);
   }

@@ -1,9 +1,9 @@
 #include "tools/replay/line_output.h"
 
-#include <cerrno>
-#include <csignal>
 #include <fcntl.h>
 #include <unistd.h>
+#include <cerrno>
+#include <csignal>
 
 namespace aspect {
 

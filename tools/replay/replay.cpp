@@ -1,9 +1,9 @@
 #include "tools/replay/replay.h"
 
+#include <fmt/format.h>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fmt/format.h>
 #include <new>
 #include <thread>
 

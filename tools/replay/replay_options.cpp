@@ -1,8 +1,9 @@
 #include "tools/replay/replay_options.h"
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
 #include <map>
 
 namespace aspect {
@@ -14,7 +15,8 @@ constexpr const char* kDescription =
     "Recognises objects in recorded frames: one JSON object a line for each frame.";
 
 constexpr const char* kFooter = R"(
-A frame is a picture, a folder of pictures (in the order of their names) or a video.
+A frame is a picture, a folder of pictures (in the order of their names) or a video. NNNNNN in the
+name of a picture written is the frame's sequence.
 Values given here win over those of --config, and those over what the index was compiled with.
 
 The output has the keys frame, sequence, width, height, elapsed_ms, stages_ms and objects, the
@@ -58,7 +60,7 @@ void add_inputs(CLI::App& app, RawOptions& raw) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--config", raw.configuration,
-                 "tables [camera], [segmentation] and [recognition] in TOML")
+                 "[camera], [segmentation] and [recognition] in TOML")
       ->type_name("FILE.toml");
   app.add_option("frames", raw.frames, "pictures, folders of pictures, videos")
       ->required()
@@ -75,27 +77,33 @@ void add_recognition(CLI::App& app, RawOptions& raw) {
       ->type_name("N");
   add_choice<Matching>(app, "--matching", overrides.matching,
                        {{"simple", Matching::simple}, {"weighted", Matching::weighted}},
-                       "match as many contours as possible, or those with the largest scores "
-                       "[weighted]");
+                       "match most contours, or of those the best scored [weighted]");
   add_choice<Ranking>(app, "--ranking", overrides.ranking,
                       {{"views", Ranking::views}, {"classes", Ranking::classes}},
-                      "order hypotheses by their best key view, or by the class's score alone "
-                      "[views]");
+                      "order by the best key view, or by the class's score alone [views]");
 }
 
 void add_outputs(CLI::App& app, RawOptions& raw) {
   constexpr double kMostFps = 1000, kLeastFps = 0.001;
   app.add_option("--overlay", raw.overlay,
-                 "write every frame with what was recognised drawn over it, NNNNNN_NAME.png")
+                 "write frames with what was seen drawn over, NNNNNN_NAME.png")
       ->type_name("FOLDER");
   app.add_option("--dump", raw.dump,
-                 "write one picture a stage: NNNNNN_1_input.png, _2_regions, _3_overlay; "
-                 "NNNNNN is the frame's sequence")
+                 "write a picture a stage: NNNNNN_1_input.png, _2_regions, _3_overlay")
       ->type_name("FOLDER");
+  // CLI11's own range check lets "nan" through.
+  const auto fault_of = [=](const std::string& text) {
+    double fps = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, fps);
+    const bool is_number = parsed.ec == std::errc() && parsed.ptr == end;
+    if (is_number && fps >= kLeastFps && fps <= kMostFps) return std::string();
+    return fmt::format("{} is not a rate from {} to {}", text, kLeastFps, kMostFps);
+  };
   app.add_option_function<double>(
          "--pace", [&raw](double fps) { raw.options.pace_fps = fps; },
          "start frames at this rate a second [as fast as possible]")
-      ->check(CLI::Range(kLeastFps, kMostFps).description(""))
+      ->check(fault_of)
       ->type_name("FPS");
 }
 

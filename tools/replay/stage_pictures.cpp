@@ -1,8 +1,8 @@
 #include "tools/replay/stage_pictures.h"
 
+#include <fmt/format.h>
 #include <cctype>
 #include <exception>
-#include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <system_error>
 
@@ -74,7 +74,8 @@ std::string overlay_name(const CapturedFrame& frame) {
   // A video's frames have their number behind the ending.
   if (ending.find('#') == std::string::npos) name.resize(name.size() - ending.size());
   for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.') c = '_';
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
+      c = '_';
   return fmt::format("{:06}_{}", frame.sequence, name.substr(0, kMostLetters));
 }
 

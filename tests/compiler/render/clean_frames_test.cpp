@@ -50,11 +50,11 @@ std::vector<Row> read_table(const std::filesystem::path& file) {
 
 Camera camera_of(const Row& row, const Studio& studio) {
   const auto number = [&](const char* name) { return std::stod(row.at(name)); };
-  const Camera camera = camera_at(
-      studio, Eigen::Vector3d(number("vx"), number("vy"), number("vz")).normalized());
+  const Camera camera =
+      camera_at(studio, Eigen::Vector3d(number("vx"), number("vy"), number("vz")).normalized());
   Eigen::Matrix3d truth;
-  truth << number("r00"), number("r01"), number("r02"), number("r10"), number("r11"),
-      number("r12"), number("r20"), number("r21"), number("r22");
+  truth << number("r00"), number("r01"), number("r02"), number("r10"), number("r11"), number("r12"),
+      number("r20"), number("r21"), number("r22");
   REQUIRE((camera.camera_from_object - truth).cwiseAbs().maxCoeff() < 1e-7);
   return camera;
 }

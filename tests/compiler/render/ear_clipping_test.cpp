@@ -157,7 +157,8 @@ TEST_CASE("a vertex in the middle of a straight edge is a corner of a triangle")
 
 TEST_CASE("holes joined to the border by a double edge stay open") {
   Random random(6);
-  const Outline frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
+  const Outline frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0},
+                         {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
   require_covered_once(frame, random);
   const Outline two = {{0, 0}, {9, 0}, {9, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3},
                        {5, 1}, {5, 3}, {7, 3}, {7, 1}, {5, 1}, {3, 3}, {3, 1}, {1, 1}};

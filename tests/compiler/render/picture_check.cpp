@@ -11,7 +11,7 @@ namespace aspect {
 namespace {
 
 bool is_border(const Scene& scene, const Camera& camera, int x, int y, int surface) {
-  constexpr double kBorder = 0.01;
+  constexpr double kBorder = 0.001;
   for (const double dx : {-kBorder, 0.0, kBorder})
     for (const double dy : {-kBorder, 0.0, kBorder})
       if (reference_hit(scene, camera, x + dx, y + dy).surface != surface) return true;
@@ -41,8 +41,8 @@ PictureComparison compare_with_reference(const Scene& scene, const Camera& camer
                                std::to_string(picture.surface[k]) + ", not " +
                                std::to_string(truth.surface);
       } else if (truth.surface != 0) {
-        result.worst_depth = std::max(
-            result.worst_depth, std::abs(double{picture.depth[k]} - truth.depth));
+        result.worst_depth =
+            std::max(result.worst_depth, std::abs(double{picture.depth[k]} - truth.depth));
       }
     }
   return result;

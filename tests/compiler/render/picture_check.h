@@ -10,9 +10,9 @@
 namespace aspect {
 
 struct PictureComparison {
-  int foreground = 0;   // pixels where the reference sees a surface
-  int compared = 0;     // of these and the background, those that are no border
-  int wrong_id = 0;     // must be 0
+  int foreground = 0;  // pixels where the reference sees a surface
+  int compared = 0;    // of these and the background, those that are no border
+  int wrong_id = 0;    // must be 0
   double worst_depth = 0;
   std::string first_wrong;  // for the message
 };

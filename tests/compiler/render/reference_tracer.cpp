@@ -18,8 +18,7 @@ struct FirstHit {
     Vector3d normal = Vector3d::Zero();
     for (std::size_t k = 0; k < polygon.vertices.size(); ++k)
       normal += polygon.vertices[k].cross(polygon.vertices[(k + 1) % polygon.vertices.size()]);
-    const double depth =
-        (polygon.vertices[0] - origin).dot(normal) / direction.dot(normal);
+    const double depth = (polygon.vertices[0] - origin).dot(normal) / direction.dot(normal);
     if (!(depth > 0)) return kMiss;
 
     Eigen::Index dropped = 0;

@@ -1,7 +1,7 @@
 #include "compiler/render/renderer.h"
 
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <thread>

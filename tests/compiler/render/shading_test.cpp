@@ -24,9 +24,8 @@ int worst_channel_error(const Picture& picture, std::size_t pixel, const Vector3
   int worst = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double truth = 255 * std::clamp(color[static_cast<Eigen::Index>(k)], 0.0, 1.0);
-    worst = std::max(worst,
-                     std::abs(static_cast<int>(picture.rgb[3 * pixel + k]) -
-                              static_cast<int>(std::lround(truth))));
+    worst = std::max(worst, std::abs(static_cast<int>(picture.rgb[3 * pixel + k]) -
+                                     static_cast<int>(std::lround(truth))));
   }
   return worst;
 }
@@ -92,7 +91,8 @@ TEST_CASE("a lit cone follows the formula on its outside") {
 
 TEST_CASE("a plate is lit on the side that the camera sees") {
   Scene scene = one_surface();
-  scene.primitives = {{Polygon{{{-0.3, -0.3, 0}, {0.3, -0.3, 0}, {0.3, 0.3, 0}, {-0.3, 0.3, 0}}}, 0}};
+  scene.primitives = {
+      {Polygon{{{-0.3, -0.3, 0}, {0.3, -0.3, 0}, {0.3, 0.3, 0}, {-0.3, 0.3, 0}}}, 0}};
   scene.lights = {{{0.2, 0.3, 1}, {1, 1, 1}, true}};
   const Renderer renderer = renderer_of(scene);
   Picture front, back;
@@ -110,8 +110,9 @@ TEST_CASE("a disc casts its shadow on the floor, and only where the light casts 
   scene.studio.up = {0, 1, 0};
   scene.studio.ambient = {0.2, 0.2, 0.2};
   scene.surfaces = {{{0.5, 0.5, 0.5}, {1, 1, 1}}};
-  scene.primitives = {{Polygon{{{-0.4, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.4, 0}, {-0.4, 0.4, 0}}}, 0},
-                      {Ring{{0.3, 0, 0.5}, {0, 0, 1}, 0, 0.1}, 0}};
+  scene.primitives = {
+      {Polygon{{{-0.4, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.4, 0}, {-0.4, 0.4, 0}}}, 0},
+      {Ring{{0.3, 0, 0.5}, {0, 0, 1}, 0, 0.1}, 0}};
   const Vector3d light(0.6, 0, 1);  // so the shadow is a disc of radius 0.2 about (0, 0, 0)
   for (const bool shadows : {false, true}) {
     scene.lights = {{light, {1, 1, 1}, shadows}};

@@ -49,8 +49,8 @@ void add_random_shape(Scene& scene, Random& random) {
     default:
       const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
       const double a = random.uniform(0.05, 0.3), b = random.uniform(0.05, 0.3);
-      return add_shape(scene, Polygon{{center, center + a * u, center + a * u + b * v,
-                                       center + b * v}});
+      return add_shape(scene,
+                       Polygon{{center, center + a * u, center + a * u + b * v, center + b * v}});
   }
 }
 

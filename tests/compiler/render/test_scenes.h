@@ -32,7 +32,7 @@ class Random {
   explicit Random(std::uint32_t seed) : engine_(seed) {}
   double uniform(double least, double most);
   int whole(int least, int most);
-  Eigen::Vector3d direction();  // unit length
+  Eigen::Vector3d direction();          // unit length
   Eigen::Vector3d point(double reach);  // in a cube about the origin
 
  private:

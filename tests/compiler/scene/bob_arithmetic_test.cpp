@@ -41,6 +41,16 @@ TEST_CASE("a sign that touches a macro starts the next component as well") {
   CHECK(shape_of<Sphere>(scene).center == Eigen::Vector3d(1, -5, -5));
 }
 
+TEST_CASE("a sign between a number and a macro that touch subtracts") {
+  const Scene scene = scene_of("#define X 5\nsphere { center 2-X X-2 X radius 1 }");
+  CHECK(shape_of<Sphere>(scene).center == Eigen::Vector3d(-3, 3, 5));
+}
+
+TEST_CASE("a macro is set apart by white space on both sides") {
+  const Scene scene = scene_of("#define M-1\n#define T *2\nsphere { center 2 M (3)T radius 1 }");
+  CHECK(shape_of<Sphere>(scene).center == Eigen::Vector3d(4, -2, 6));
+}
+
 TEST_CASE("brackets and the precedence of products hold") {
   CHECK(radius_of("1 + 2 * 3") == 7);
   CHECK(radius_of("(1 + 2) * 3") == 9);

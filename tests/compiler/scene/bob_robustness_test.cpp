@@ -1,5 +1,7 @@
 // Whatever the bytes, the reader ends with a scene or one line: seeded mutations and cuts of a
 // scene that uses the whole language.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iterator>
@@ -31,7 +33,7 @@ constexpr std::string_view kEverything =
 void check_outcome(std::string_view text) {
   const Result<Scene> scene = parse_bob(text, "s.b");
   if (!scene.ok()) {
-    const std::string& error = scene.error();
+    const std::string error = error_of(text);
     const bool well_formed = error.substr(0, 4) == "s.b:" &&
                              error.find('\n') == std::string::npos &&
                              error.find("; ") != std::string::npos;
@@ -118,7 +120,7 @@ TEST_CASE("hostile sizes end quickly with an error") {
   for (int i = 0; i < 1001; ++i) conditions += "#ifndef A\n";
   CHECK(error_of(conditions) == "s.b:1001: conditions more than 1000 deep; nest less");
   std::string macros;
-  for (int i = 0; i < 10'001; ++i) macros += "#define M" + std::to_string(i) + "\n";
+  for (int i = 0; i < 10'001; ++i) macros += fmt::format("#define M{}\n", i);
   CHECK(error_of(macros) == "s.b:10001: more than 10000 macros; define less");
   const std::string signs = "sphere { center " + std::string(200'000, '-') + "1 0 0 radius 1 }";
   CHECK(error_of(signs) == "no error");

@@ -36,8 +36,7 @@ Scene model(const std::string& name) {
   const auto file =
       std::filesystem::path(ASPECT_SOURCE_DIR) / "compiler" / "models" / (name + ".b");
   Result<Scene> scene = read_bob(file);
-  INFO((scene.ok() ? name : scene.error()));
-  REQUIRE(scene.ok());
+  if (!scene.ok()) FAIL(scene.error());
   return std::move(scene).value();
 }
 

@@ -13,13 +13,17 @@ namespace aspect {
 
 Scene scene_of(std::string_view text) {
   Result<Scene> scene = parse_bob(text, "s.b");
-  INFO((scene.ok() ? std::string("read") : scene.error()));
-  REQUIRE(scene.ok());
+  if (!scene.ok()) FAIL(scene.error());
   return std::move(scene).value();
 }
 
 std::string error_of(std::string_view text) {
   const Result<Scene> scene = parse_bob(text, "s.b");
+  return scene.ok() ? "no error" : scene.error();
+}
+
+std::string error_of_file(const std::filesystem::path& file) {
+  const Result<Scene> scene = read_bob(file);
   return scene.ok() ? "no error" : scene.error();
 }
 

@@ -74,21 +74,25 @@ TEST_CASE("a level n sphere has 20 * 4^n leaves and 10 * 4^n + 2 vertices") {
   }
 }
 
-// blockcyl.6.vert and the corners of blockcyl.6.part that are printed in full.
-TEST_CASE("the vertices that the thesis lists are vertices of level 6") {
-  const ViewSphere sphere = uniform_sphere(6);
-  const std::vector<Eigen::Vector3d> listed{{-1, 0, 0},
-                                            {-0.9998072406, -0.0196336858, -0.0000000713},
-                                            {-0.9998072406, 0.0196336858, -0.0000000713},
-                                            {-0.9997919713, -0.0103355404, 0.0175838161},
-                                            {-0.9997919713, 0.0103355404, 0.0175838161},
-                                            {-0.9993814181, 0, 0.0351678988}};
-  for (const Eigen::Vector3d& expected : listed) {
-    double nearest = 1;
-    for (std::uint32_t id = 0; id < sphere.vertex_count(); ++id) {
-      nearest = std::min(nearest, (sphere.position(VertexId{id}) - expected).norm());
-    }
-    CHECK(nearest < 2e-7);
+TEST_CASE("the icosahedron's vertices are (0, 1, phi) and its kin on the unit sphere") {
+  const ViewSphere sphere;
+  const double small = 1 / std::hypot(1, std::numbers::phi);
+  const double large = std::numbers::phi * small;
+  for (std::uint32_t id = 0; id < sphere.vertex_count(); ++id) {
+    const Eigen::Vector3d position = sphere.position(VertexId{id});
+    Eigen::Vector3d cycled = position.cwiseAbs();
+    while (cycled.x() != 0) cycled = Eigen::Vector3d(cycled.y(), cycled.z(), cycled.x());
+    CHECK(cycled.y() == Approx(small).epsilon(1e-15));
+    CHECK(cycled.z() == Approx(large).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("both directions of the axes are vertices of level 1") {
+  const ViewSphere sphere = uniform_sphere(1);
+  const std::set<Bits> bits = vertex_bits(sphere);
+  for (int axis = 0; axis < 3; ++axis) {
+    CHECK(bits.contains(bits_of(Eigen::Vector3d::Unit(axis))));
+    CHECK(bits.contains(bits_of(Eigen::Vector3d::Zero() - Eigen::Vector3d::Unit(axis))));
   }
 }
 

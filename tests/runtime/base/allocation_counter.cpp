@@ -10,13 +10,17 @@ namespace {
 
 std::atomic<std::uint64_t> allocations{0};
 
-void count_one() noexcept { allocations.fetch_add(1, std::memory_order_relaxed); }
+void count_one() noexcept {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+}
 
 }  // namespace
 
 namespace aspect {
 
-std::uint64_t allocation_count() noexcept { return allocations.load(std::memory_order_relaxed); }
+std::uint64_t allocation_count() noexcept {
+  return allocations.load(std::memory_order_relaxed);
+}
 
 }  // namespace aspect
 

@@ -16,8 +16,7 @@ namespace {
 struct OwnedPlanes {
   OwnedArena memory;
   Planes planes;
-  explicit OwnedPlanes(cv::Size size)
-      : memory(static_cast<std::size_t>(3 * size.area() + 3 * 64)) {
+  explicit OwnedPlanes(cv::Size size) : memory(static_cast<std::size_t>(3 * size.area() + 3 * 64)) {
     Arena arena = memory.arena();
     planes = take_planes(arena, size.width, size.height);
   }
@@ -26,8 +25,7 @@ struct OwnedPlanes {
 struct OwnedShares {
   OwnedArena memory;
   Shares shares;
-  explicit OwnedShares(cv::Size size)
-      : memory(static_cast<std::size_t>(6 * size.area() + 6 * 64)) {
+  explicit OwnedShares(cv::Size size) : memory(static_cast<std::size_t>(6 * size.area() + 6 * 64)) {
     Arena arena = memory.arena();
     shares = take_shares(arena, size.width, size.height);
   }
@@ -44,8 +42,8 @@ void check_median(const cv::Mat& picture, const Box& box) {
   cv::medianBlur(picture, median, 3);
   for (int y = box.y; y < box.y + box.height; ++y)
     for (int x = box.x; x < box.x + box.width; ++x) {
-      const bool rim = x == box.x || y == box.y || x + 1 == box.x + box.width ||
-                       y + 1 == box.y + box.height;
+      const bool rim =
+          x == box.x || y == box.y || x + 1 == box.x + box.width || y + 1 == box.y + box.height;
       const auto& expected = (rim ? picture : median).at<cv::Vec3b>(y, x);
       const auto i = static_cast<std::size_t>(y * to.planes.stride_px + x);
       const cv::Vec3b found(to.planes.red[i], to.planes.green[i], to.planes.blue[i]);

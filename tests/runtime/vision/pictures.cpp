@@ -32,6 +32,46 @@ void renumber_by_first_pixel(cv::Mat& labels) {
     }
 }
 
+cv::Mat drawn_polygons(std::mt19937& random, cv::Size size, int count) {
+  cv::Mat drawn = cv::Mat::zeros(size, CV_8UC3);
+  std::uniform_int_distribution<int> x(-10, size.width + 10), y(-10, size.height + 10);
+  for (int i = 0; i < count; ++i) {
+    std::vector<cv::Point> corners;
+    for (int k = 0; k < 3 + i % 3; ++k) corners.emplace_back(x(random), y(random));
+    cv::fillPoly(drawn, std::vector<std::vector<cv::Point>>{corners}, colour(i));
+  }
+  return drawn;
+}
+
+// Paints black what a square of 5 x 5 pixels of one colour does not fit into.
+cv::Mat without_slivers(const cv::Mat& drawn) {
+  const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
+  cv::Mat picture = cv::Mat::zeros(drawn.size(), CV_8UC3);
+  for (int i = 0; i < kColourCount; ++i) {
+    cv::Mat mask;
+    cv::inRange(drawn, colour(i), colour(i), mask);
+    // Beyond the frame there is nothing that could complete a square.
+    cv::copyMakeBorder(mask, mask, 5, 5, 5, 5, cv::BORDER_CONSTANT, 0);
+    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, square);
+    picture.setTo(colour(i), mask(cv::Rect({5, 5}, drawn.size())));
+  }
+  return picture;
+}
+
+// Two pieces of a component that touch only by a strip thinner than three pixels are two to the
+// segmentation: such pictures have no single right answer.
+bool has_bridges(const cv::Mat& components) {
+  double count = 0;
+  cv::minMaxLoc(components, nullptr, &count);
+  for (int label = 1; label <= static_cast<int>(count); ++label) {
+    cv::Mat mask = mask_of(components, label), pieces;
+    cv::copyMakeBorder(mask, mask, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+    cv::erode(mask, mask, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+    if (cv::connectedComponents(mask, pieces, 4) > 2) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::size_t vision_bytes(int width_px, int height_px) {
@@ -65,7 +105,9 @@ cv::Mat label_picture(const RegionMap& map, cv::Size size) {
   return labels;
 }
 
-cv::Mat mask_of(const cv::Mat& labels, int label) { return labels == label; }
+cv::Mat mask_of(const cv::Mat& labels, int label) {
+  return labels == label;
+}
 
 bool same_partition(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size()) return false;
@@ -147,31 +189,17 @@ cv::Mat noise_picture(std::mt19937& random, cv::Size size) {
 
 cv::Scalar colour(int index) {
   static const std::array<cv::Scalar, kColourCount> colours = {
-      cv::Scalar(200, 40, 40), cv::Scalar(40, 180, 60),   cv::Scalar(50, 60, 220),
-      cv::Scalar(220, 200, 30), cv::Scalar(180, 40, 190), cv::Scalar(40, 170, 180),
+      cv::Scalar(200, 40, 40),   cv::Scalar(40, 180, 60),  cv::Scalar(50, 60, 220),
+      cv::Scalar(220, 200, 30),  cv::Scalar(180, 40, 190), cv::Scalar(40, 170, 180),
       cv::Scalar(210, 210, 210), cv::Scalar(230, 120, 30)};
   return colours[static_cast<std::size_t>(index % kColourCount)];
 }
 
 cv::Mat polygon_picture(std::mt19937& random, cv::Size size, int count) {
-  cv::Mat drawn = cv::Mat::zeros(size, CV_8UC3);
-  std::uniform_int_distribution<int> x(-10, size.width + 10), y(-10, size.height + 10);
-  for (int i = 0; i < count; ++i) {
-    std::vector<cv::Point> corners;
-    for (int k = 0; k < 3 + i % 3; ++k) corners.emplace_back(x(random), y(random));
-    cv::fillPoly(drawn, std::vector<std::vector<cv::Point>>{corners}, colour(i));
+  for (;;) {
+    const cv::Mat picture = without_slivers(drawn_polygons(random, size, count));
+    if (!has_bridges(equal_components(picture))) return picture;
   }
-  const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
-  cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
-  for (int i = 0; i < kColourCount; ++i) {
-    cv::Mat mask;
-    cv::inRange(drawn, colour(i), colour(i), mask);
-    // Beyond the frame there is nothing that could complete a square.
-    cv::copyMakeBorder(mask, mask, 5, 5, 5, 5, cv::BORDER_CONSTANT, 0);
-    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, square);
-    picture.setTo(colour(i), mask(cv::Rect({5, 5}, size)));
-  }
-  return picture;
 }
 
 cv::Mat surface_picture(std::mt19937& random, cv::Size size) {

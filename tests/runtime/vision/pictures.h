@@ -71,8 +71,9 @@ cv::Mat noise_picture(std::mt19937& random, cv::Size size);
 inline constexpr int kColourCount = 8;
 cv::Scalar colour(int index);
 
-// Polygons of flat colours over one another on black, without antialiasing, and without anything
-// that a square of 5 x 5 pixels does not fit into.
+// Polygons of flat colours over one another on black, without antialiasing, without anything that
+// a square of 5 x 5 pixels does not fit into, and without narrow bridges: the components of equal
+// colour are the only right segmentation of it.
 cv::Mat polygon_picture(std::mt19937& random, cv::Size size, int count);
 
 // A few large convex pieces that touch each other, for blur and noise.

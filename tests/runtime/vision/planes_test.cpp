@@ -39,8 +39,7 @@ void check_holds_foreground(const cv::Mat& picture, const Box& roi, const Box& b
                             int intensity_min) {
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x)
-      if (inside(roi, x, y) && sum_at(picture, y, x) >= intensity_min)
-        REQUIRE(inside(box, x, y));
+      if (inside(roi, x, y) && sum_at(picture, y, x) >= intensity_min) REQUIRE(inside(box, x, y));
 }
 
 }  // namespace

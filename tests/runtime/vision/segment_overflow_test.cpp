@@ -35,37 +35,56 @@ void check_consistent(const RegionMap& map, cv::Size size) {
     REQUIRE(map.regions[k].sums.area == area[static_cast<int>(k) + 1]);
 }
 
-// Stripes one pixel wide of two colours: each pixel has equal ones left and right of it.
-cv::Mat striped(cv::Size size) {
+// Stripes one pixel wide, which are core, as each pixel has equal ones left and right of it. Where
+// the colours change, every `band` rows, two rows have no core and are filled in later.
+cv::Mat striped(cv::Size size, int band) {
   cv::Mat picture(size, CV_8UC3);
-  for (int x = 0; x < size.width; ++x) picture.col(x) = colour(x % 2);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const cv::Scalar value = colour(x % 2 + y / band % 2 * 2);
+      for (int channel = 0; channel < 3; ++channel)
+        picture.at<cv::Vec3b>(y, x)[channel] = cv::saturate_cast<std::uint8_t>(value[channel]);
+    }
+  return picture;
+}
+
+// Stripes all the way down on the right; on the left, other ones from `row` on.
+cv::Mat striped_from(cv::Size size, int row) {
+  cv::Mat picture = striped(size, size.height);
+  const cv::Rect corner(0, row, 20, size.height - row);
+  striped(size, 1).row(1).colRange(0, 20).copyTo(picture(corner).row(0));
+  cv::repeat(picture(corner).row(0).clone(), corner.height, 1, picture(corner));
   return picture;
 }
 
 }  // namespace
 
 TEST_CASE("stripes of one pixel overflow the runs and leave labels that match their runs") {
-  for (const cv::Size size : {cv::Size(64, 80), cv::Size(131, 61), cv::Size(12, 300)}) {
-    OwnedVision vision(size.width, size.height);
-    const ViewGraph graph = vision.run(striped(size), keep_everything());
-    REQUIRE(graph.dropped_regions > 0);
-    REQUIRE_FALSE(vision.regions().regions.empty());
-    check_consistent(vision.regions(), size);
-  }
+  for (const cv::Size size : {cv::Size(64, 80), cv::Size(131, 61), cv::Size(12, 300)})
+    for (const int band : {3, 4, 5, 7, 9, 1000}) {
+      OwnedVision vision(size.width, size.height);
+      const ViewGraph graph = vision.run(striped(size, band), keep_everything());
+      REQUIRE(graph.dropped_regions > 0);
+      REQUIRE_FALSE(vision.regions().regions.empty());
+      check_consistent(vision.regions(), size);
+    }
 }
 
 TEST_CASE("an overflowing frame gives the same regions whatever frame went before") {
   std::mt19937 random(16);
   const cv::Size size(96, 90);
-  const cv::Mat crowded = striped(size);
-  OwnedVision fresh(size.width, size.height), used(size.width, size.height);
-  fresh.run(crowded, keep_everything());
-  const cv::Mat expected = label_picture(fresh.regions(), size);
-  const cv::Mat plain(size, CV_8UC3, colour(2));
-  for (const cv::Mat& before : {plain, noise_picture(random, size), striped(size)}) {
-    used.run(before, keep_everything());
-    used.run(crowded, keep_everything());
-    REQUIRE(cv::countNonZero(label_picture(used.regions(), size) != expected) == 0);
+  OwnedVision used(size.width, size.height);
+  for (int row = 15; row < 35; ++row) {
+    const cv::Mat crowded = striped_from(size, row);
+    OwnedVision fresh(size.width, size.height);
+    fresh.run(crowded, keep_everything());
+    const cv::Mat expected = label_picture(fresh.regions(), size);
+    const cv::Mat plain(size, CV_8UC3, colour(2));
+    for (const cv::Mat& before : {plain, noise_picture(random, size), striped(size, 5)}) {
+      used.run(before, keep_everything());
+      used.run(crowded, keep_everything());
+      REQUIRE(cv::countNonZero(label_picture(used.regions(), size) != expected) == 0);
+    }
   }
 }
 

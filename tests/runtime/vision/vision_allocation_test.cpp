@@ -1,0 +1,53 @@
+#include <catch2/catch.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <random>
+#include <vector>
+
+#include "tests/runtime/base/allocation_counter.h"
+#include "tests/runtime/vision/pictures.h"
+
+namespace aspect {
+namespace {
+
+std::vector<cv::Mat> varied_frames() {
+  std::mt19937 random(39);
+  std::vector<cv::Mat> frames = {cv::Mat::zeros(96, 128, CV_8UC3),
+                                 cv::Mat(96, 128, CV_8UC3, cv::Scalar(255, 255, 255))};
+  for (int i = 0; i < 20; ++i) {
+    const cv::Size size(20 + static_cast<int>(random() % 109),
+                        20 + static_cast<int>(random() % 77));
+    frames.push_back(polygon_picture(random, size, 3 + i % 8));
+    frames.push_back(noise_picture(random, size));
+    cv::Mat soft;
+    cv::GaussianBlur(frames.back(), soft, {}, 1.0 + i % 4);
+    frames.push_back(soft);
+  }
+  return frames;
+}
+
+}  // namespace
+
+TEST_CASE("a thousand frames of all kinds take no memory from the heap") {
+  const std::vector<cv::Mat> frames = varied_frames();
+  OwnedVision vision(128, 96);
+  std::size_t contours = 0;
+  const std::uint64_t before = allocation_count();
+  for (std::size_t i = 0; i < 1000; ++i) {
+    VisionParameters parameters;
+    parameters.smooth = i % 3 != 0;
+    parameters.one_blob = i % 5 == 0;
+    parameters.relations_max = static_cast<int>(i % 4) * 10;
+    contours += vision.run(frames[i % frames.size()], parameters).contours.size();
+  }
+  REQUIRE(allocation_count() - before == 0);
+  REQUIRE(contours > 1000);
+}
+
+TEST_CASE("the counter that says so counts in this program") {
+  const std::uint64_t before = allocation_count();
+  const std::vector<cv::Mat> frames = varied_frames();
+  REQUIRE(allocation_count() > before);
+}
+
+}  // namespace aspect

@@ -1,0 +1,262 @@
+// aspect-replay as its users start it.
+#include <sys/wait.h>
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+#include <vector>
+
+#include "tests/runtime/capture/sample_pictures.h"
+#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/tools/tiny_index.h"
+
+namespace aspect {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using nlohmann::json;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out, err;
+  std::vector<json> lines() const {
+    std::vector<json> parsed;
+    std::istringstream stream(out);
+    for (std::string line; std::getline(stream, line);) parsed.push_back(json::parse(line));
+    return parsed;
+  }
+};
+
+// An object of four coloured fields.
+cv::Mat flag(int width_px, int height_px, bool mirrored = false) {
+  cv::Mat picture(height_px, width_px, CV_8UC3, cv::Scalar(0, 0, 0));
+  const int x = width_px / 4, y = height_px / 4, w = width_px / 4, h = height_px / 4;
+  const std::array<cv::Scalar, 4> colours = {cv::Scalar(30, 30, 230), cv::Scalar(30, 220, 30),
+                                             cv::Scalar(230, 40, 30), cv::Scalar(20, 220, 230)};
+  picture(cv::Rect(x, y, w, h)).setTo(colours[mirrored ? 1 : 0]);
+  picture(cv::Rect(x + w, y, w, h)).setTo(colours[mirrored ? 0 : 1]);
+  picture(cv::Rect(x, y + h, w, h / 2)).setTo(colours[2]);
+  picture(cv::Rect(x + w, y + h, w, h)).setTo(colours[3]);
+  return picture;
+}
+
+class Replay {
+ public:
+  Replay() {
+    write_tiny_index(folder_.path() / "flag.aspect", "flag", flag(320, 240));
+    write_tiny_index(folder_.path() / "mirror.aspect", "mirror", flag(320, 240, true));
+    add_frame("frames/0.png", flag(320, 240));
+    add_frame("frames/1.png", flag(320, 240, true));
+    add_frame("frames/2.png", flag(480, 480));
+  }
+
+  void add_frame(const std::string& name, const cv::Mat& picture) const {
+    folder_.write(name, encoded(picture, ".png"));
+  }
+
+  Outcome run(const std::string& arguments, const std::string& redirection = "") const {
+    const std::string command = "cd '" + folder_.path().native() + "' && '" ASPECT_REPLAY "' " +
+                                arguments + " >out 2>err </dev/null " + redirection;
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), read_file(folder_.path() / "out"),
+            read_file(folder_.path() / "err")};
+  }
+
+  const TemporaryFolder& folder() const { return folder_; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_CASE("Frames of different sizes are recognised, each on a line") {
+  const Outcome outcome = Replay().run("--index flag.aspect --index mirror.aspect frames");
+  CHECK(outcome.err == "");
+  CHECK(outcome.exit_code == 0);
+  const auto lines = outcome.lines();
+  REQUIRE(lines.size() == 3);
+  const std::array<const char*, 3> objects = {"flag", "mirror", "flag"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(lines[k]["frame"] == "frames/" + std::to_string(k) + ".png");
+    CHECK(lines[k]["sequence"] == k);
+    CHECK(lines[k]["elapsed_ms"].get<double>() > 0);
+    REQUIRE(lines[k]["objects"].size() == 1);
+    CHECK(lines[k]["objects"][0]["regions"] == 4);
+    const json& best = lines[k]["objects"][0]["hypotheses"][0];
+    CHECK(best["object"] == objects[k]);
+    CHECK(best["matched"] == 4);
+    CHECK(best["contours"].size() == 4);
+  }
+  CHECK(lines[2]["width"] == 480);
+  CHECK(lines[0]["objects"][0]["box"] == json::array({80, 60, 160, 120}));
+}
+
+TEST_CASE("Bad frames are reported, and the others are processed") {
+  const Replay replay;
+  replay.folder().write("frames/00.png", "");
+  replay.folder().write("frames/3.png", "text");
+  const Outcome outcome = replay.run("--index flag.aspect frames missing.png");
+  CHECK(outcome.exit_code == 1);
+  const auto lines = outcome.lines();
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0]["frame"] == "frames/0.png");
+  CHECK(lines[1]["frame"] == "frames/1.png");
+  CHECK(lines[1]["sequence"] == 2);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 3);
+  for (const char* name : {"frames/00.png: an empty", "frames/3.png: not a", "missing.png: no"})
+    CHECK_THAT(outcome.err, Contains("aspect-replay: " + std::string(name)));
+}
+
+TEST_CASE("Wrong usage is told in one line") {
+  const Replay replay;
+  for (const char* arguments :
+       {"", "frames", "--index flag.aspect", "--index flag.aspect --top 0 frames",
+        "--index flag.aspect --top 65 frames", "--index flag.aspect --top x frames",
+        "--index flag.aspect --matching best frames", "--index flag.aspect --ranking best frames",
+        "--index flag.aspect --pace 0 frames", "--index flag.aspect --pace nan frames",
+        "--index flag.aspect --bogus frames", "--index flag.aspect --track frames"}) {
+    const Outcome outcome = replay.run(arguments);
+    INFO(arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out == "");
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_THAT(outcome.err, StartsWith("aspect-replay: ") && Contains("--help"));
+  }
+}
+
+TEST_CASE("Help and version are printed") {
+  const Replay replay;
+  const Outcome help = replay.run("--help");
+  CHECK(help.exit_code == 0);
+  for (const char* option :
+       {"--index", "--config", "--top", "--overlay", "--dump", "--pace", "--matching", "--ranking"})
+    CHECK_THAT(help.out, Contains(option));
+  const Outcome version = replay.run("--version");
+  CHECK(version.exit_code == 0);
+  CHECK_THAT(version.out, StartsWith("aspect-replay "));
+}
+
+TEST_CASE("Indexes that cannot be used are reported, and the others are used") {
+  const Replay replay;
+  fs::copy(replay.folder().path() / "flag.aspect", replay.folder().path() / "copy.aspect");
+  replay.folder().write("bad.aspect", "not an index at all");
+  const auto run = [&](const std::string& indexes) {
+    const Outcome outcome = replay.run(indexes + " --index flag.aspect frames/0.png");
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.lines().size() == 1);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    return outcome.err;
+  };
+  CHECK_THAT(run("--index none.aspect"), StartsWith("aspect-replay: none.aspect: "));
+  CHECK_THAT(run("--index bad.aspect"), StartsWith("aspect-replay: bad.aspect: "));
+  CHECK_THAT(run("--index ./flag.aspect"), Contains("flag.aspect: given twice"));
+  CHECK_THAT(run("--index copy.aspect"), Contains("holds the object flag like copy.aspect"));
+  const Outcome none = replay.run("--index none.aspect frames/0.png");
+  CHECK(none.exit_code == 1);
+  CHECK(none.out == "");
+}
+
+TEST_CASE("Another segmentation of a later index is a warning") {
+  const Replay replay;
+  VisionParameters parameters;
+  parameters.chroma_step = 13;
+  write_tiny_index(replay.folder().path() / "other.aspect", "other", flag(320, 240), parameters);
+  const Outcome outcome = replay.run("--index flag.aspect --index other.aspect frames/0.png");
+  CHECK(outcome.exit_code == 0);
+  CHECK_THAT(outcome.err, StartsWith("aspect-replay: warning: other.aspect: ") &&
+                              Contains("chroma_step 13 not 8"));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+}
+
+TEST_CASE("The command line wins over the configuration, the configuration over the index") {
+  const Replay replay;
+  replay.folder().write("c.toml", "[segmentation]\nregion_of_interest = [0, 0, 10, 10]\n");
+  const Outcome blind = replay.run("--index flag.aspect --config c.toml frames/0.png");
+  CHECK(blind.exit_code == 0);
+  CHECK(blind.lines()[0]["objects"].empty());
+
+  replay.folder().write("top.toml", "[recognition]\ntop = 1\n");
+  const std::string both = "--index flag.aspect --index mirror.aspect frames/0.png ";
+  const auto hypotheses = [&](const std::string& more) {
+    return replay.run(both + more).lines()[0]["objects"][0]["hypotheses"].size();
+  };
+  CHECK(hypotheses("") == 2);
+  CHECK(hypotheses("--config top.toml") == 1);
+  CHECK(hypotheses("--config top.toml --top 2") == 2);
+
+  replay.folder().write("bad.toml", "\n[recognition]\ntopp = 1\n");
+  const Outcome bad = replay.run("--index flag.aspect --config bad.toml frames/0.png");
+  CHECK(bad.exit_code == 1);
+  CHECK(bad.out == "");
+  CHECK_THAT(bad.err, StartsWith("aspect-replay: bad.toml:3: "));
+}
+
+TEST_CASE("Matching and ranking can be chosen") {
+  const Replay replay;
+  const auto score = [&](const std::string& more) {
+    return replay.run("--index flag.aspect frames/0.png " + more)
+        .lines()[0]["objects"][0]["hypotheses"][0]["score"]
+        .get<double>();
+  };
+  CHECK(score("--ranking views") <= 1);
+  CHECK(score("--ranking classes") > 1);
+  CHECK(score("--ranking classes --matching simple") !=
+        score("--ranking classes --matching weighted"));
+}
+
+TEST_CASE("Pictures of the stages and overlays are written") {
+  const Replay replay;
+  const Outcome outcome =
+      replay.run("--index flag.aspect --dump dumped/deep --overlay drawn frames");
+  CHECK(outcome.err == "");
+  CHECK(outcome.exit_code == 0);
+  const fs::path top = replay.folder().path();
+  for (const char* name : {"dumped/deep/000001_1_input.png", "dumped/deep/000001_2_regions.png",
+                           "dumped/deep/000002_3_overlay.png", "drawn/000002_2.png"})
+    CHECK_FALSE(cv::imread((top / name).native()).empty());
+
+  replay.folder().write("file", "x");
+  const Outcome blocked = replay.run("--index flag.aspect --dump file/x frames");
+  CHECK(blocked.exit_code == 1);
+  CHECK_THAT(blocked.err, StartsWith("aspect-replay: file/x: cannot be made a folder"));
+}
+
+TEST_CASE("Frames start at the pace asked for") {
+  const Replay replay;
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(replay.run("--index flag.aspect --pace 5 frames").lines().size() == 3);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  CHECK(elapsed.count() >= 0.4);
+  CHECK(elapsed.count() < 5);
+}
+
+TEST_CASE("A reader that goes away ends the run quietly") {
+  const Replay replay;
+  const Outcome closed = replay.run("--index flag.aspect frames", ">&-");
+  CHECK(closed.exit_code == 0);
+  CHECK(closed.err == "");
+  const Outcome full = replay.run("--index flag.aspect frames", ">/dev/full");
+  CHECK(full.exit_code == 1);
+  CHECK_THAT(full.err, StartsWith("aspect-replay: standard output: "));
+
+  // Far more frames than `head` waits for.
+  std::string many = "--index flag.aspect --pace 40";
+  for (int k = 0; k < 100; ++k) many += " frames";
+  const auto start = std::chrono::steady_clock::now();
+  const fs::path folder = replay.folder().path();
+  const std::string command = "cd '" + folder.native() + "' && ( '" ASPECT_REPLAY "' " + many +
+                              "; echo $? >code ) 2>err | head -n 1 >first";
+  CHECK(std::system(command.c_str()) == 0);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(4));
+  CHECK(read_file(folder / "code") == "0\n");
+  CHECK(read_file(folder / "err") == "");
+  CHECK(json::accept(read_file(folder / "first")));
+}
+
+}  // namespace
+}  // namespace aspect
