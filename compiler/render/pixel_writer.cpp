@@ -7,7 +7,7 @@
 namespace aspect {
 namespace {
 
-// Sixteen pixels of one colour, copied as a whole: ten times faster than byte by byte.
+// Sixteen pixels of one colour, copied as a whole.
 class ColorRun {
  public:
   explicit ColorRun(const Rgb& color) : grey_(color[0] == color[1] && color[1] == color[2]) {

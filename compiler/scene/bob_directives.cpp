@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compiler/scene/bob_preprocessor.h"
-#include "compiler/scene/nearest_word.h"
+#include "runtime/base/nearest_word.h"
 
 namespace aspect {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/scene/nearest_word.h"
+#include "runtime/base/nearest_word.h"
 #include "compiler/scene/picture_fit.h"
 #include "compiler/scene/scene_bounds.h"
 

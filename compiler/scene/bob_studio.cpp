@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/scene/nearest_word.h"
+#include "runtime/base/nearest_word.h"
 
 namespace aspect {
 namespace {

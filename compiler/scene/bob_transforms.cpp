@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-#include "compiler/scene/nearest_word.h"
+#include "runtime/base/nearest_word.h"
 
 namespace aspect {
 namespace {

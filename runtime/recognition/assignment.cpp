@@ -12,6 +12,7 @@ namespace {
 // potentials. Columns beyond the real ones are dummies of weight 0: a row matched there is alone.
 struct Solver {
   std::span<const double> weights;
+  std::size_t row_step, column_step;  // the solver's rows may be the caller's columns
   std::size_t rows, columns, all_columns;
   std::array<double, kMaxSide + 1> row_potential{};
   std::array<double, 2 * kMaxSide + 1> column_potential{}, least{};
@@ -20,7 +21,7 @@ struct Solver {
 
   double cost(std::size_t row, std::size_t column) const {
     if (column > columns) return 0;
-    return -std::max(weights[(row - 1) * columns + column - 1], 0.0);
+    return -std::max(weights[(row - 1) * row_step + (column - 1) * column_step], 0.0);
   }
 
   // Finds the cheapest alternating path from an unmatched row to an unmatched column.
@@ -65,17 +66,32 @@ struct Solver {
 void assign(std::span<const double> weights, std::size_t rows, std::size_t columns,
             Assignment& assignment) noexcept {
   ASPECT_DCHECK(rows <= kMaxSide && columns <= kMaxSide && weights.size() >= rows * columns);
-  Solver solver{weights, rows, columns, columns + rows, {}, {}, {}, {}, {}, {}};
-  for (std::size_t row = 1; row <= rows; ++row) solver.augment(row);
+  // Each row costs a search over all columns, so the shorter side makes the rows.
+  const bool turned = columns < rows;
+  const std::size_t short_side = std::min(rows, columns), long_side = std::max(rows, columns);
+  Solver solver{weights,
+                turned ? 1 : columns,
+                turned ? columns : 1,
+                short_side,
+                long_side,
+                long_side + short_side,
+                {},
+                {},
+                {},
+                {},
+                {},
+                {}};
+  for (std::size_t row = 1; row <= short_side; ++row) solver.augment(row);
   std::fill_n(assignment.column_of.begin(), rows, std::int16_t{-1});
   assignment.matched = 0;
   assignment.weight = 0;
-  for (std::size_t column = 1; column <= columns; ++column) {
-    const std::size_t row = solver.row_of[column];
-    if (row == 0) continue;
-    const double weight = weights[(row - 1) * columns + column - 1];
+  for (std::size_t k = 1; k <= long_side; ++k) {
+    if (solver.row_of[k] == 0) continue;
+    const std::size_t row = (turned ? k : solver.row_of[k]) - 1;
+    const std::size_t column = (turned ? solver.row_of[k] : k) - 1;
+    const double weight = weights[row * columns + column];
     if (!(weight > 0)) continue;
-    assignment.column_of[row - 1] = static_cast<std::int16_t>(column - 1);
+    assignment.column_of[row] = static_cast<std::int16_t>(column);
     ++assignment.matched;
     assignment.weight += weight;
   }

@@ -18,7 +18,7 @@ struct Assignment {
 
 // The matching with the largest sum of weights; only pairs with a weight above 0 are matched, so
 // rows and columns may stay alone. `weights` is row by row. The Hungarian method with potentials
-// (Kuhn 1955, Munkres 1957), O(rows^2 columns). Ties go to the lower column.
+// (Kuhn 1955, Munkres 1957), O(short side^2 * long side).
 void assign(std::span<const double> weights, std::size_t rows, std::size_t columns,
             Assignment& assignment) noexcept;
 

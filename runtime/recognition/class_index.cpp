@@ -13,8 +13,8 @@ namespace {
 
 namespace fb = ::aspect::schema;
 
-constexpr float kDirectionUnit = 32767, kPositionUnit = 8192, kAreaUnit = 65535,
-                kSecondUnit = 4096, kThirdUnit = 16384;
+constexpr float kDirectionUnit = 32767, kPositionUnit = 8192, kAreaUnit = 65535, kSecondUnit = 4096,
+                kThirdUnit = 16384;
 
 // What is wrong with an index, or nothing. The file's name is put before it.
 struct Problem {
@@ -22,13 +22,16 @@ struct Problem {
   bool found() const { return !what.empty(); }
 };
 
-std::string recompile() { return "; compile the scene again with this version of aspectc"; }
+std::string recompile() {
+  return "; compile the scene again with this version of aspectc";
+}
 
 Problem check_structure(std::span<const std::byte> bytes) {
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   constexpr std::size_t kSmallest = 16;
   if (bytes.empty()) return {"is empty; an index of a few KiB was expected"};
-  if (bytes.size() < kSmallest || !flatbuffers::BufferHasIdentifier(data, fb::ClassIndexIdentifier()))
+  if (bytes.size() < kSmallest ||
+      !flatbuffers::BufferHasIdentifier(data, fb::ClassIndexIdentifier()))
     return {"is not a class index (no ASPX identifier); give a .aspect file made by aspectc"};
   flatbuffers::Verifier verifier(data, bytes.size(), 16, 1000);
   if (!fb::VerifyClassIndexBuffer(verifier)) {
@@ -36,8 +39,8 @@ Problem check_structure(std::span<const std::byte> bytes) {
   }
   const fb::ClassIndex* root = fb::GetClassIndex(data);
   if (root->format_version() != kIndexFormatVersion)
-    return {"has format version " + std::to_string(root->format_version()) + ", this runtime reads " +
-            std::to_string(kIndexFormatVersion) + recompile()};
+    return {"has format version " + std::to_string(root->format_version()) +
+            ", this runtime reads " + std::to_string(kIndexFormatVersion) + recompile()};
   const auto* table = reinterpret_cast<const flatbuffers::Table*>(root);
   const std::uint8_t* field = table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM);
   if (field == nullptr ||
@@ -86,12 +89,12 @@ Problem unpack_classes(const fb::ClassIndex& root, ClassIndex& index) {
         !within(c->first_surface(), c->surface_count(), index.surfaces.size()) ||
         !all_finite({c->centre_x(), c->centre_y(), c->centre_z()}))
       return {"has a contour that points outside of it" + recompile()};
-    index.class_contours.push_back({{c->first_type(), c->type_count()},
-                                    {c->first_surface(), c->surface_count()},
-                                    {static_cast<float>(c->share_red()) / 255,
-                                     static_cast<float>(c->share_green()) / 255,
-                                     static_cast<float>(c->share_blue()) / 255},
-                                    {c->centre_x(), c->centre_y(), c->centre_z()}});
+    index.class_contours.push_back(
+        {{c->first_type(), c->type_count()},
+         {c->first_surface(), c->surface_count()},
+         {static_cast<float>(c->share_red()) / 255, static_cast<float>(c->share_green()) / 255,
+          static_cast<float>(c->share_blue()) / 255},
+         {c->centre_x(), c->centre_y(), c->centre_z()}});
   }
   for (const fb::AspectClass* a : *root.classes()) {
     if (!within(a->first_contour(), a->contour_count(), index.class_contours.size()) ||

@@ -43,8 +43,7 @@ void ClassMatcher::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
   }
 }
 
-void ClassMatcher::set_contours(const ClassIndex& index,
-                                std::span<const ContourFeature> features) {
+void ClassMatcher::set_contours(const ClassIndex& index, std::span<const ContourFeature> features) {
   contour_count_ = features.size();
   for (std::size_t i = 0; i < contour_count_; ++i) types_[i] = nearest_type(index, features[i]);
 }
@@ -77,8 +76,7 @@ ClassMatch ClassMatcher::match(const ClassIndex& index, std::size_t class_id, Ma
   if (matching == Matching::simple)
     match.score = static_cast<float>(10 * m - std::abs(seen - known));
   else
-    match.score =
-        static_cast<float>(match.assignment.weight - 1e5 * std::max(known - seen, 0.0));
+    match.score = static_cast<float>(match.assignment.weight - 1e5 * std::max(known - seen, 0.0));
   return match;
 }
 

@@ -37,8 +37,8 @@ class ClassMatcher {
   struct TypeSet {
     std::array<std::uint64_t, kWords> words{};
   };
-  std::span<TypeSet> type_sets_;              // by class, indexes one after the other
-  std::span<std::size_t> first_class_;        // of each index in type_sets_
+  std::span<TypeSet> type_sets_;        // by class, indexes one after the other
+  std::span<std::size_t> first_class_;  // of each index in type_sets_
   std::array<std::uint16_t, kMaxSide> types_{};
   std::size_t contour_count_ = 0;
   std::array<double, kMaxSide * kMaxSide> weights_{};

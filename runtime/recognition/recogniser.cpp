@@ -77,7 +77,8 @@ Recognition Recogniser::recognise(const Frame& frame) noexcept {
   recognition.objects = objects_.first(objects);
   const auto end = Clock::now();
   const VisionTimes& times = vision_.times();
-  recognition.stages = {times.convert, times.enhance, times.segment, times.features, end - seen, {}};
+  recognition.stages = {times.convert,  times.enhance, times.segment,
+                        times.features, end - seen,    {}};
   recognition.elapsed = end - start;
   return recognition;
 }
@@ -98,9 +99,8 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, const Blob& blob) 
   if (parameters_.ranking == RecogniserParameters::Ranking::views) fit_shortlist(seen, candidates);
   const auto list = candidates_.first(candidates);
   const std::size_t first = hypothesis_count_;
-  const std::size_t reported =
-      std::min({candidates, static_cast<std::size_t>(parameters_.top),
-                hypotheses_.size() - hypothesis_count_});
+  const std::size_t reported = std::min({candidates, static_cast<std::size_t>(parameters_.top),
+                                         hypotheses_.size() - hypothesis_count_});
   std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(reported), list.end(),
                     better);
   for (const Hypothesis& hypothesis : list.first(reported)) report(hypothesis, seen);
@@ -125,8 +125,8 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
           return h.matched + parameters_.shortlist_slack < most;
         };
         const auto kept = candidates_.first(count);
-        count = static_cast<std::size_t>(std::remove_if(kept.begin(), kept.end(), weak) -
-                                         kept.begin());
+        count =
+            static_cast<std::size_t>(std::remove_if(kept.begin(), kept.end(), weak) - kept.begin());
       }
       if (count == candidates_.size()) continue;
       Hypothesis& hypothesis = candidates_[count++];
@@ -178,8 +178,7 @@ void Recogniser::fit_shortlist(std::span<const ContourFeature> features, std::si
 void Recogniser::report(const Hypothesis& hypothesis, std::span<const ContourFeature> features) {
   const ClassIndex& index = indexes_[hypothesis.index];
   class_matcher_.set_contours(index, features);
-  const ClassMatch match =
-      class_matcher_.match(index, hypothesis.class_id, parameters_.matching);
+  const ClassMatch match = class_matcher_.match(index, hypothesis.class_id, parameters_.matching);
   const std::size_t first = match_count_;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (match.assignment.column_of[i] < 0 || match_count_ == contour_matches_.size()) continue;

@@ -13,16 +13,24 @@
 namespace aspect {
 namespace {
 
-float square(float x) { return x * x; }
+float square(float x) {
+  return x * x;
+}
 
-float radius(Point2 p) { return std::hypot(p.x, p.y); }
+float radius(Point2 p) {
+  return std::hypot(p.x, p.y);
+}
 
 // Direction of the main axis of a second moment.
-float axis_rad(const Moments& m) { return std::atan2(2 * m.xy, m.xx - m.yy) / 2; }
+float axis_rad(const Moments& m) {
+  return std::atan2(2 * m.xy, m.xx - m.yy) / 2;
+}
 
 }  // namespace
 
-float ViewFitter::alone(float area) const { return scales_.missing + scales_.missing_area * area; }
+float ViewFitter::alone(float area) const {
+  return scales_.missing + scales_.missing_area * area;
+}
 
 void ViewFitter::set_contours(std::span<const ContourFeature> seen) {
   seen_ = seen.first(std::min(seen.size(), kMaxSide));
@@ -54,12 +62,11 @@ float ViewFitter::least_cost(std::span<const KeyContour> key) {
     float least = alone(a.area);
     for (std::size_t k = 0; k < key.size(); ++k) {
       const ContourFeature& b = key[k].feature;
-      const float cost =
-          (square(a.share[0] - b.share[0]) + square(a.share[1] - b.share[1]) +
-           square(a.share[2] - b.share[2])) /
-              square(scales_.share) +
-          square((a.area - b.area) / scales_.area) +
-          square((radius(a.position) - radius(b.position)) / scales_.position);
+      const float cost = (square(a.share[0] - b.share[0]) + square(a.share[1] - b.share[1]) +
+                          square(a.share[2] - b.share[2])) /
+                             square(scales_.share) +
+                         square((a.area - b.area) / scales_.area) +
+                         square((radius(a.position) - radius(b.position)) / scales_.position);
       roll_free_[i * key.size() + k] = cost;
       least = std::min(least, cost);
     }

@@ -24,8 +24,8 @@ struct ViewFitScales {
 };
 
 struct ViewFit {
-  float cost = 0;      // 0: perfect
-  float roll_rad = 0;  // the frame is turned by this against the key view
+  float cost = 0;         // 0: perfect
+  float roll_rad = 0;     // the frame is turned by this against the key view
   Assignment assignment;  // frame contour -> key contour
 };
 

@@ -3,24 +3,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "runtime/base/nearest_word.h"
 
 namespace aspect {
 namespace {
-
-// Letters to insert, remove or change.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({change, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row[b.size()];
-}
 
 // No longer than a message can bear.
 std::string shortened(std::string_view text) {
@@ -153,12 +140,9 @@ std::optional<Error> TableReader::finish() {
   for (const auto& [key, node] : table_) {
     const std::string_view name = key.str();
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    const auto nearest =
-        std::min_element(known_.begin(), known_.end(), [&](std::string_view a, std::string_view b) {
-          return edit_distance(name, a) < edit_distance(name, b);
-        });
+    const std::string_view nearest = nearest_word(name, known_);
     const std::string hint =
-        nearest == known_.end() ? "remove it" : fmt::format("did you mean {}?", *nearest);
+        nearest.empty() ? "remove it" : fmt::format("did you mean {}?", nearest);
     fail_at(key.source().begin.line,
             fmt::format("{} is not known here; {}", place_of(shortened(name)), hint));
   }

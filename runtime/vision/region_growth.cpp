@@ -17,6 +17,9 @@ constexpr int kBlurLayers = 3;
 // end unless it turns back on itself more often.
 constexpr int kThreadPasses = 3;
 
+// More than shares can differ by: of two regions, the one of the pixel's own intensity is taken.
+constexpr int kOtherIntensity = 256;
+
 int difference(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
@@ -52,7 +55,9 @@ struct RegionGrowth::Growing {
     Neighbour best;
     each_neighbour(p, [&](std::uint16_t label) {
       if (label == 0 || label == best.label) return;
-      const int distance = difference(own, cores[label - 1U].share);
+      const CoreColour& core = cores[label - 1U];
+      const bool level = same_intensity(shares.intensity[i], core.intensity);
+      const int distance = difference(own, core.share) + (level ? 0 : kOtherIntensity);
       if (distance < best.difference || (distance == best.difference && label < best.label))
         best = {label, distance};
     });

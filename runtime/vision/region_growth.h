@@ -50,7 +50,7 @@ class RegionGrowth {
   };
   struct Neighbour {
     std::uint16_t label = 0;
-    int difference = 256;  // largest of the three shares'
+    int difference = 512;  // largest of the three shares', and more where intensities differ
   };
   struct Growing;
 

@@ -35,7 +35,8 @@ struct VisionParameters {
   // 1. step, a 3 x 3 median: removes noise, keeps edges. Costs a third of the time.
   bool smooth = true;
 
-  // All foreground is one blob, however many pieces it is in. The compiler's setting.
+  // All foreground is one blob, however many pieces it is in: one object fills the picture. Always
+  // so when compiling.
   bool one_blob = false;
 
   // Arcs kept for each blob, shortest first; 0 keeps all.

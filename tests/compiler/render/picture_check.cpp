@@ -11,7 +11,7 @@ namespace aspect {
 namespace {
 
 bool is_border(const Scene& scene, const Camera& camera, int x, int y, int surface) {
-  constexpr double kBorder = 0.001;
+  constexpr double kBorder = 0.01;
   for (const double dx : {-kBorder, 0.0, kBorder})
     for (const double dy : {-kBorder, 0.0, kBorder})
       if (reference_hit(scene, camera, x + dx, y + dy).surface != surface) return true;

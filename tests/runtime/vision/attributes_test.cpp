@@ -19,12 +19,6 @@ constexpr int kSize_px = 200;
 // Corners are drawn to 1/16 of a pixel.
 constexpr int kShift = 4;
 
-VisionParameters without_median() {
-  VisionParameters parameters;
-  parameters.smooth = false;
-  return parameters;
-}
-
 cv::Point fixed_point(cv::Point2d point) {
   return {cvRound(point.x * (1 << kShift)), cvRound(point.y * (1 << kShift))};
 }
@@ -81,7 +75,7 @@ void check_moments(const Contour& contour, const cv::Mat& mask) {
 
 ShapeClass shape_of(const cv::Mat& picture) {
   OwnedVision vision(kSize_px, kSize_px);
-  const ViewGraph graph = vision.run(picture, without_median());
+  const ViewGraph graph = vision.run(picture, exact_parameters());
   REQUIRE(graph.contours.size() == 1);
   return graph.contours[0].shape;
 }
@@ -93,7 +87,7 @@ TEST_CASE("moments, centres, areas and Hu's invariants are OpenCV's") {
   for (int round = 0; round < 25; ++round) {
     const cv::Mat picture = polygon_picture(random, {kSize_px, 150}, 3 + round % 6);
     OwnedVision vision(picture.cols, picture.rows);
-    const ViewGraph graph = vision.run(picture, without_median());
+    const ViewGraph graph = vision.run(picture, exact_parameters());
     const cv::Mat labels = label_picture(vision.regions(), picture.size());
     REQUIRE_FALSE(graph.contours.empty());
     for (const Contour& contour : graph.contours)
@@ -108,7 +102,7 @@ TEST_CASE("a hole's moments are those of the polygon through its border") {
                std::vector<std::vector<cv::Point>>{{{50, 50}, {130, 70}, {110, 130}, {60, 110}}},
                cv::Scalar());
   OwnedVision vision(kSize_px, kSize_px);
-  const ViewGraph graph = vision.run(picture, without_median());
+  const ViewGraph graph = vision.run(picture, exact_parameters());
   REQUIRE(graph.contours.size() == 2);
   const Contour& hole = graph.contours[1];
   REQUIRE_FALSE(hole.external);
@@ -155,10 +149,45 @@ TEST_CASE("bars of any direction have their thickness") {
     const cv::Mat picture = polygon_of({centre + along + across, centre + along - across,
                                         centre - along - across, centre - along + across});
     OwnedVision vision(kSize_px, kSize_px);
-    const ViewGraph graph = vision.run(picture, without_median());
+    const ViewGraph graph = vision.run(picture, exact_parameters());
     REQUIRE(graph.contours.size() == 1);
     // fillPoly paints the pixels that its edges run through, up to half a pixel more a side.
     REQUIRE(graph.contours[0].thickness_px == Approx(16.75).margin(0.75));
+  }
+}
+
+TEST_CASE("bars along the grid have their thickness exactly") {
+  for (int thickness = 3; thickness < 40; thickness += 4)
+    for (const cv::Size size : {cv::Size(60, thickness), cv::Size(thickness, 60)}) {
+      cv::Mat picture = cv::Mat::zeros(kSize_px, kSize_px, CV_8UC3);
+      picture(cv::Rect({10, 20}, size)) = colour(5);
+      OwnedVision vision(kSize_px, kSize_px);
+      VisionParameters parameters = exact_parameters();
+      parameters.thickness_min_px = 0;
+      const ViewGraph graph = vision.run(picture, parameters);
+      REQUIRE(graph.contours.size() == 1);
+      REQUIRE(graph.contours[0].thickness_px == Approx(thickness).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("shape classes part halfway between the invariants of their ideals") {
+  // With unequal second moments, as a shape seen from the side has.
+  const auto class_of = [](double invariant) {
+    Moments moments;
+    moments.xx = 0.2F;
+    moments.xy = 0.03F;
+    moments.yy = static_cast<float>((invariant + 0.03 * 0.03) / 0.2);
+    return shape_class(moments);
+  };
+  const double ellipse = 1 / (16 * std::numbers::pi * std::numbers::pi);
+  const double parallelogram = 1 / 144.0, triangle = 1 / 108.0;
+  const double first = (ellipse + parallelogram) / 2, second = (parallelogram + triangle) / 2;
+  const double last = triangle + (triangle - parallelogram) / 2;
+  for (const double less : {0.999, 1.001}) {
+    const bool below = less < 1;
+    CHECK(class_of(first * less) == (below ? ShapeClass::circle : ShapeClass::square));
+    CHECK(class_of(second * less) == (below ? ShapeClass::square : ShapeClass::triangle));
+    CHECK(class_of(last * less) == (below ? ShapeClass::triangle : ShapeClass::other));
   }
 }
 

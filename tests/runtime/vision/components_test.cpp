@@ -115,6 +115,9 @@ TEST_CASE("a link that is missing parts pixels that touch") {
   REQUIRE(runs.size() == 5);
   for (const Run& run : runs) REQUIRE(run.root == 0);
   REQUIRE(runs[0].area_px == 6);
+  // Where nothing links upwards, rows stay apart too.
+  const auto rows = [&](int) { return RowLinks{counts, joined, apart}; };
+  for (const Run& run : owned.components.run({0, 0, 2, 3}, rows)) REQUIRE(run.root == run.row);
   const std::span<Run> two = owned.components.run({0, 0, 2, 2}, links);
   REQUIRE(two.size() == 4);
   REQUIRE(two[3].root == 1);

@@ -190,6 +190,8 @@ TEST_CASE("small holes are left out") {
   const auto larger = drawn.tracer.run(drawn.map, 3, dropped);
   REQUIRE(larger.size() == 2);
   REQUIRE(enclosed_area_px(larger[1].chain) == 7 * 4 - 2);
+  REQUIRE(drawn.tracer.run(drawn.map, 2, dropped).size() == 3);
+  REQUIRE(drawn.tracer.run(drawn.map, 26, dropped).size() == 2);
   REQUIRE(drawn.tracer.run(drawn.map, 27, dropped).size() == 1);
   REQUIRE(dropped == 0);
 }
@@ -218,23 +220,25 @@ TEST_CASE("the area enclosed by a chain is that of its polygon") {
   REQUIRE(enclosed_area_px(traced[1].chain) == 0);
 }
 
-TEST_CASE("a region within another knows it, and one at its side does not") {
-  const cv::Mat labels = labels_of_text({"aaaaaaaaaa....", "abbbbaaaaacccc", "abddbaaaaacccc",
-                                         "abddbaa.aacccc", "abbbbaa.aa....", "aaaaaaaaaa...."});
+TEST_CASE("a region within another knows it, one at its side or in a bay does not") {
+  const cv::Mat labels =
+      labels_of_text({"aaaaaaaaaa....", "abbbbaaaaacccc", "abddbaaaaacccc", "abddbaa.aacccc",
+                      "abbbbaa.aa....", "aaaaaaaeee....", "aaaaaaaeee....", "aaaaaaaaaa...."});
   DrawnMap drawn(labels);
   int dropped = 0;
   const auto traced = drawn.tracer.run(drawn.map, 0, dropped);
-  const auto inside_of = [&](int label) {
+  const auto inside_of = [&](int y, int x) {
     for (const TracedContour& contour : traced)
-      if (contour.label == label && contour.external) return static_cast<int>(contour.inside);
+      if (contour.label == labels.at<int>(y, x) && contour.external)
+        return static_cast<int>(contour.inside);
     return -1;
   };
-  const int a = labels.at<int>(0, 0), b = labels.at<int>(1, 1), c = labels.at<int>(1, 12),
-            d = labels.at<int>(2, 2);
-  REQUIRE(inside_of(a) == 0);
-  REQUIRE(inside_of(b) == a);
-  REQUIRE(inside_of(c) == 0);
-  REQUIRE(inside_of(d) == b);
+  const int a = labels.at<int>(0, 0), b = labels.at<int>(1, 1);
+  REQUIRE(inside_of(0, 0) == 0);
+  REQUIRE(inside_of(1, 1) == a);
+  REQUIRE(inside_of(2, 2) == b);
+  REQUIRE(inside_of(1, 12) == 0);
+  REQUIRE(inside_of(5, 8) == 0);
 }
 
 }  // namespace aspect

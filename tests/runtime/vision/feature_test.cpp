@@ -18,8 +18,7 @@ constexpr int kSize_px = 180;
 // Without the median, which may settle the colours at corners in favour of one or the other.
 std::vector<ContourFeature> features_of(const cv::Mat& picture) {
   OwnedVision vision(picture.cols, picture.rows);
-  VisionParameters parameters;
-  parameters.smooth = false;
+  VisionParameters parameters = exact_parameters();
   parameters.one_blob = true;
   const ViewGraph graph = vision.run(picture, parameters);
   std::vector<ContourFeature> features;

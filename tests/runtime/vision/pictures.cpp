@@ -91,6 +91,14 @@ ViewGraph OwnedVision::run(const cv::Mat& picture, const VisionParameters& param
   return vision_.run(frame_of(picture), parameters);
 }
 
+VisionParameters exact_parameters() {
+  VisionParameters parameters;
+  parameters.smooth = false;
+  parameters.area_min_px = 24;
+  parameters.thickness_min_px = 3;
+  return parameters;
+}
+
 Frame frame_of(const cv::Mat& picture) {
   return {picture.data, picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step),
           PixelFormat::rgb8};

@@ -41,6 +41,9 @@ class OwnedVision {
   Vision vision_;
 };
 
+// No median, and small things kept: every pixel of a flat picture has one right label.
+VisionParameters exact_parameters();
+
 Frame frame_of(const cv::Mat& picture);
 
 // Labels of the whole frame, 0 outside the active part: type CV_32S.

@@ -136,10 +136,8 @@ TEST_CASE("what fills one hole of a region is inside that hole and apart from th
   picture(cv::Rect(5, 5, 190, 110)) = colour(0);
   picture(cv::Rect(20, 20, 60, 80)) = cv::Scalar();
   picture(cv::Rect(110, 30, 70, 50)) = colour(1);
-  VisionParameters parameters;
-  parameters.smooth = false;
   OwnedVision vision(200, 120);
-  const ViewGraph graph = vision.run(picture, parameters);
+  const ViewGraph graph = vision.run(picture, exact_parameters());
   REQUIRE(graph.contours.size() == 4);
   const auto index = [&](bool external, int x) {
     for (std::size_t k = 0; k < graph.contours.size(); ++k)

@@ -14,8 +14,7 @@ namespace aspect {
 namespace {
 
 VisionParameters keep_everything() {
-  VisionParameters parameters;
-  parameters.smooth = false;
+  VisionParameters parameters = exact_parameters();
   parameters.area_min_px = 1;
   parameters.thickness_min_px = 0;
   return parameters;
@@ -128,8 +127,7 @@ TEST_CASE("of too many regions the smallest are dropped and counted") {
   REQUIRE(all - small < kMaxRegions);
   REQUIRE(all > kMaxRegions);
   OwnedVision vision(picture.cols, picture.rows);
-  VisionParameters parameters;
-  parameters.smooth = false;
+  VisionParameters parameters = exact_parameters();
   parameters.one_blob = true;
   vision.run(picture, parameters);
   const RegionMap& map = vision.regions();
@@ -149,8 +147,7 @@ TEST_CASE("of too many blobs the smallest are dropped and counted") {
     picture(cv::Rect(i % kColumns * kSide, i / kColumns * kSide, side, side)) = colour(i);
   }
   OwnedVision vision(picture.cols, picture.rows);
-  VisionParameters parameters;
-  parameters.smooth = false;
+  VisionParameters parameters = exact_parameters();
   const ViewGraph graph = vision.run(picture, parameters);
   REQUIRE(static_cast<int>(graph.blobs.size()) == kMaxBlobs);
   REQUIRE(graph.dropped_regions == kRows * kColumns - kMaxBlobs);

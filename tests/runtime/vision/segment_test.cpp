@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kSize_px = 160;
 
-VisionParameters without_median() {
-  VisionParameters parameters;
-  parameters.smooth = false;
+VisionParameters with_median() {
+  VisionParameters parameters = exact_parameters();
+  parameters.smooth = true;
   return parameters;
 }
 
@@ -85,15 +85,15 @@ cv::Mat photographed(const cv::Mat& picture, unsigned seed) {
 TEST_CASE("regions of flat polygons are the components of equal colour, exact to the pixel") {
   for (const cv::Mat& picture : polygon_pictures(6, 60)) {
     const cv::Mat expected = equal_components(picture);
-    REQUIRE(partition_difference(labels_of(picture, without_median()), expected) == 0);
-    REQUIRE(same_partition(labels_of(picture, without_median()), expected));
+    REQUIRE(partition_difference(labels_of(picture, exact_parameters()), expected) == 0);
+    REQUIRE(same_partition(labels_of(picture, exact_parameters()), expected));
   }
 }
 
 TEST_CASE("labels are in the order of first pixels and areas, boxes and runs agree with them") {
   for (const cv::Mat& picture : polygon_pictures(7, 10)) {
     OwnedVision vision(picture.cols, picture.rows);
-    vision.run(picture, without_median());
+    vision.run(picture, exact_parameters());
     const RegionMap& map = vision.regions();
     const cv::Mat labels = label_picture(map, picture.size());
     cv::Mat from_runs = cv::Mat::zeros(picture.size(), CV_32S);
@@ -116,7 +116,8 @@ TEST_CASE("labels are in the order of first pixels and areas, boxes and runs agr
 
 TEST_CASE("the median only rounds corners") {
   for (const cv::Mat& picture : polygon_pictures(8, 20)) {
-    const cv::Mat plain = labels_of(picture, without_median()), smooth = labels_of(picture, {});
+    const cv::Mat plain = labels_of(picture, exact_parameters()),
+                  smooth = labels_of(picture, with_median());
     REQUIRE(partition_difference(plain, smooth) < 0.01);
   }
 }
@@ -126,7 +127,7 @@ TEST_CASE("only foreground is labelled, whatever the picture") {
   for (int round = 0; round < 30; ++round) {
     cv::Mat picture = noise_picture(random, {90, 60});
     cv::GaussianBlur(picture, picture, {}, round % 5 + 0.5);
-    VisionParameters parameters = without_median();
+    VisionParameters parameters = exact_parameters();
     parameters.intensity_min = 300 + static_cast<int>(random() % 120);
     const cv::Mat labels = labels_of(picture, parameters);
     for (int y = 0; y < picture.rows; ++y)
@@ -143,7 +144,7 @@ TEST_CASE("every region is one 4-connected piece") {
   for (int round = 0; round < 30; ++round) {
     cv::Mat picture = noise_picture(random, {90, 60});
     cv::GaussianBlur(picture, picture, {}, round % 4 + 0.5);
-    VisionParameters parameters;
+    VisionParameters parameters = with_median();
     parameters.area_min_px = 4;
     parameters.thickness_min_px = 0;
     const cv::Mat labels = labels_of(picture, parameters);
@@ -159,13 +160,13 @@ TEST_CASE("every region is one 4-connected piece") {
 TEST_CASE("mirrored and transposed pictures give mirrored and transposed regions") {
   for (const cv::Mat& flat : polygon_pictures(11, 20)) {
     for (const int way : {-1, 0, 1, kTranspose}) {
-      const cv::Mat labels = labels_of(flat, without_median());
-      REQUIRE(
-          same_partition(mirrored(labels, way), labels_of(mirrored(flat, way), without_median())));
+      const cv::Mat labels = labels_of(flat, exact_parameters());
+      REQUIRE(same_partition(mirrored(labels, way),
+                             labels_of(mirrored(flat, way), exact_parameters())));
       // A mixed pixel that is as near to one colour as to another goes to the lower label.
       for (const cv::Mat& mixed : {flat, blurred(flat)}) {
-        const cv::Mat expected = mirrored(labels_of(mixed, {}), way);
-        const cv::Mat found = labels_of(mirrored(mixed, way), {});
+        const cv::Mat expected = mirrored(labels_of(mixed, with_median()), way);
+        const cv::Mat found = labels_of(mirrored(mixed, way), with_median());
         REQUIRE(partition_difference(expected, found) < 0.001);
         REQUIRE(partition_difference(found, expected) < 0.001);
       }
@@ -176,13 +177,13 @@ TEST_CASE("mirrored and transposed pictures give mirrored and transposed regions
 TEST_CASE("half the brightness leaves the regions as they are") {
   for (const cv::Mat& picture : polygon_pictures(12, 20)) {
     const cv::Mat half = picture / 2;
-    REQUIRE(same_partition(labels_of(picture, {}), labels_of(half, {})));
+    REQUIRE(same_partition(labels_of(picture, with_median()), labels_of(half, with_median())));
   }
 }
 
 TEST_CASE("blur, noise and JPEG leave the number of regions and their areas within 3 %") {
   std::mt19937 random(13);
-  VisionParameters parameters;
+  VisionParameters parameters = with_median();
   // Half the sum of the darkest colour: blur against black takes as much as it gives.
   parameters.intensity_min = 140;
   for (unsigned round = 0; round < 25; ++round) {
@@ -206,7 +207,7 @@ TEST_CASE("filaments and small regions vanish and leave nothing behind") {
   picture(cv::Rect(100, 40, 4, 4)) = colour(3);
   cv::line(picture, {100, 60}, {190, 110}, colour(4), 1);
   picture(cv::Rect(40, 40, 3, 3)) = colour(1);
-  for (const VisionParameters& parameters : {VisionParameters{}, without_median()}) {
+  for (const VisionParameters& parameters : {with_median(), exact_parameters()}) {
     const std::vector<double> areas = areas_of(picture, parameters);
     REQUIRE(areas.size() == 1);
     // The spot inside goes to the square or stays unlabelled, depending on its core.
@@ -218,7 +219,7 @@ TEST_CASE("a region of the least area is kept and one pixel less is not") {
   for (const int height : {5, 6}) {
     cv::Mat picture = cv::Mat::zeros(40, 40, CV_8UC3);
     picture(cv::Rect(10, 10, 6, height)) = colour(2);
-    VisionParameters parameters = without_median();
+    VisionParameters parameters = exact_parameters();
     parameters.area_min_px = 36;
     REQUIRE(areas_of(picture, parameters).size() == (height == 6 ? 1U : 0U));
     parameters.area_min_px = 30;
@@ -230,8 +231,8 @@ TEST_CASE("one colour at two brightnesses is one region, and two with an intensi
   cv::Mat picture = cv::Mat::zeros(80, 120, CV_8UC3);
   picture(cv::Rect(10, 10, 50, 60)) = cv::Scalar(200, 100, 60);
   picture(cv::Rect(60, 10, 50, 60)) = cv::Scalar(100, 50, 30);
-  REQUIRE(areas_of(picture, {}) == std::vector<double>{6000 - 4 * 1});
-  VisionParameters parameters = without_median();
+  REQUIRE(areas_of(picture, with_median()) == std::vector<double>{6000 - 4 * 1});
+  VisionParameters parameters = exact_parameters();
   REQUIRE(areas_of(picture, parameters) == std::vector<double>{6000});
   parameters.intensity_step = 60;
   REQUIRE(areas_of(picture, parameters) == std::vector<double>{3000, 3000});
@@ -245,14 +246,14 @@ TEST_CASE("a smooth shading across a surface does not break it up") {
     const double level = 0.35 + 0.65 * (x - 10) / 180.0;
     picture(cv::Rect(x, 10, 1, 80)) = level * cv::Scalar(220, 140, 60);
   }
-  REQUIRE(areas_of(picture, {}).size() == 1);
+  REQUIRE(areas_of(picture, with_median()).size() == 1);
 }
 
 TEST_CASE("blobs are the components of foreground that hold a region, largest first") {
   std::mt19937 random(14);
   for (const cv::Mat& picture : polygon_pictures(15, 15)) {
     OwnedVision vision(picture.cols, picture.rows);
-    vision.run(picture, without_median());
+    vision.run(picture, exact_parameters());
     const RegionMap& map = vision.regions();
     cv::Mat grey, labels, stats, centres;
     cv::transform(picture, grey, cv::Matx13f(1, 1, 1));

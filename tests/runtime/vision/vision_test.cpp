@@ -121,6 +121,8 @@ TEST_CASE("frames without pixels, too large ones and black ones give an empty gr
                              Frame{frame.data, -3, 10, 30}, Frame{frame.data, 10, -3, 30},
                              Frame{frame.data, 65, 10, frame.stride_bytes},
                              Frame{frame.data, 10, 49, frame.stride_bytes}, frame_of(black)}) {
+    vision.run(white(cv::Rect(0, 0, 64, 48)));
+    REQUIRE(vision.regions().regions.size() == 1);
     const ViewGraph graph = vision.vision().run(empty, {});
     REQUIRE(graph.contours.empty());
     REQUIRE(graph.relations.empty());

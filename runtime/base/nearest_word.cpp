@@ -1,4 +1,4 @@
-#include "compiler/scene/nearest_word.h"
+#include "runtime/base/nearest_word.h"
 
 #include <algorithm>
 #include <cstddef>
