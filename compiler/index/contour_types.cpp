@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t kMostSamples = 200000;
 constexpr int kMostRounds = 30;
+// The best of several attempts: a single one ends up to 19 % above the best of OpenCV's five.
+constexpr int kAttempts = 5;
 constexpr std::uint32_t kSeed = 20260101;
 
 float squared_distance(const TypeAttributes& a, const TypeAttributes& b) {
@@ -20,36 +22,50 @@ float squared_distance(const TypeAttributes& a, const TypeAttributes& b) {
   return sum;
 }
 
+// One of each `step` neighbours, at random: views list their contours in a like order, and every
+// step-th sample would be the same contour again and again.
 std::vector<TypeAttributes> thinned(std::span<const TypeAttributes> samples) {
   const std::size_t step = (samples.size() + kMostSamples - 1) / kMostSamples;
+  if (step <= 1) return {samples.begin(), samples.end()};
+  std::mt19937 random(kSeed);
   std::vector<TypeAttributes> kept;
-  for (std::size_t i = 0; i < samples.size(); i += std::max<std::size_t>(step, 1))
-    kept.push_back(samples[i]);
+  for (std::size_t i = 0; i < samples.size(); i += step)
+    kept.push_back(samples[i + random() % std::min(step, samples.size() - i)]);
   return kept;
 }
 
+using Distances = std::vector<float>;  // squared, from every sample to the nearest start
+
+double sum_of(const Distances& distances) {
+  double sum = 0;
+  for (const float distance : distances) sum += static_cast<double>(distance);
+  return sum;
+}
+
+// A sample, drawn with a chance proportional to its squared distance; `total` is their sum.
+std::size_t draw(const Distances& distances, double total, std::mt19937& random) {
+  double target = total * (static_cast<double>(random()) / 4294967296.0);
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (!(distances[i] > 0)) continue;
+    last = i;
+    target -= static_cast<double>(distances[i]);
+    if (target < 0) break;
+  }
+  return last;
+}
+
 // Each next start is drawn with a chance proportional to its squared distance from those before.
-std::vector<TypeAttributes> starts(const std::vector<TypeAttributes>& samples, std::size_t count) {
-  std::mt19937 random(kSeed);
-  std::vector<TypeAttributes> types{samples.front()};
-  std::vector<float> distance(samples.size(), std::numeric_limits<float>::infinity());
+std::vector<TypeAttributes> starts(const std::vector<TypeAttributes>& samples, std::size_t count,
+                                   std::mt19937& random) {
+  std::vector<TypeAttributes> types{samples[random() % samples.size()]};
+  Distances nearest(samples.size(), std::numeric_limits<float>::infinity());
   while (types.size() < count) {
-    double total = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      distance[i] = std::min(distance[i], squared_distance(samples[i], types.back()));
-      total += static_cast<double>(distance[i]);
-    }
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      nearest[i] = std::min(nearest[i], squared_distance(samples[i], types.back()));
+    const double total = sum_of(nearest);
     if (!(total > 0)) break;
-    double target = total * (static_cast<double>(random()) / 4294967296.0);
-    std::size_t chosen = samples.size() - 1;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      target -= static_cast<double>(distance[i]);
-      if (target >= 0 || !(distance[i] > 0)) continue;
-      chosen = i;
-      break;
-    }
-    if (!(distance[chosen] > 0)) break;
-    types.push_back(samples[chosen]);
+    types.push_back(samples[draw(nearest, total, random)]);
   }
   return types;
 }
@@ -66,6 +82,27 @@ void move_to_means(const std::vector<TypeAttributes>& samples,
   for (std::size_t k = 0; k < types.size(); ++k)
     for (std::size_t d = 0; d < kTypeDimensions && counts[k] > 0; ++d)
       types[k][d] = static_cast<float>(sums[k][d] / static_cast<double>(counts[k]));
+}
+
+struct Attempt {
+  std::vector<TypeAttributes> types;
+  double scatter = std::numeric_limits<double>::infinity();  // sum of the squared distances
+};
+
+// Lloyd's rounds.
+Attempt attempt(const std::vector<TypeAttributes>& samples, std::vector<TypeAttributes> types) {
+  std::vector<std::uint16_t> type_of(samples.size(), 0), before;
+  for (int round = 0; round < kMostRounds && type_of != before; ++round) {
+    before = type_of;
+    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+      type_of[i] = nearest_type(types, samples[i]);
+    });
+    move_to_means(samples, type_of, types);
+  }
+  double scatter = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    scatter += static_cast<double>(squared_distance(samples[i], types[type_of[i]]));
+  return {std::move(types), scatter};
 }
 
 }  // namespace
@@ -86,16 +123,13 @@ std::vector<TypeAttributes> find_contour_types(std::span<const TypeAttributes> a
                                                std::size_t count) {
   if (all.empty() || count == 0) return {};
   const std::vector<TypeAttributes> samples = thinned(all);
-  std::vector<TypeAttributes> types = starts(samples, count);
-  std::vector<std::uint16_t> type_of(samples.size(), 0), before;
-  for (int round = 0; round < kMostRounds && type_of != before; ++round) {
-    before = type_of;
-    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-      type_of[i] = nearest_type(types, samples[i]);
-    });
-    move_to_means(samples, type_of, types);
+  std::mt19937 random(kSeed);
+  Attempt best;
+  for (int k = 0; k < kAttempts; ++k) {
+    Attempt next = attempt(samples, starts(samples, count, random));
+    if (next.scatter < best.scatter) best = std::move(next);
   }
-  return types;
+  return std::move(best.types);
 }
 
 }  // namespace aspect

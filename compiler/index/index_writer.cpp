@@ -54,20 +54,20 @@ struct Arrays {
 
 void add_contour(const ContourDescription& c, Arrays& arrays) {
   const auto share = [&](std::size_t channel) { return packed<std::uint8_t>(c.share[channel], 255); };
+  // 16-bit places and an 8-bit count: what is beyond them is left out.
+  std::size_t surface_count = std::min<std::size_t>(c.surfaces.size(), 255);
+  if (arrays.surfaces.size() + surface_count > 65535) surface_count = 0;
   arrays.contours.emplace_back(
       static_cast<std::uint32_t>(arrays.scores.size()),
       static_cast<std::uint16_t>(c.score_of_type.size()),
-      static_cast<std::uint16_t>(arrays.surfaces.size()),
-      static_cast<std::uint8_t>(std::min<std::size_t>(c.surfaces.size(), 255)), share(0), share(1),
-      share(2), static_cast<float>(c.centre_object.x()), static_cast<float>(c.centre_object.y()),
+      static_cast<std::uint16_t>(surface_count > 0 ? arrays.surfaces.size() : 0),
+      static_cast<std::uint8_t>(surface_count), share(0), share(1), share(2),
+      static_cast<float>(c.centre_object.x()), static_cast<float>(c.centre_object.y()),
       static_cast<float>(c.centre_object.z()));
   for (const auto& [type, score] : c.score_of_type)
     arrays.scores.emplace_back(static_cast<float>(score), type, std::uint16_t{0});
-  // 16-bit places; a contour beyond them keeps no surfaces.
-  if (arrays.surfaces.size() + c.surfaces.size() <= 65535)
-    arrays.surfaces.insert(arrays.surfaces.end(), c.surfaces.begin(),
-                           c.surfaces.begin() + static_cast<std::ptrdiff_t>(
-                                                    std::min<std::size_t>(c.surfaces.size(), 255)));
+  arrays.surfaces.insert(arrays.surfaces.end(), c.surfaces.begin(),
+                         c.surfaces.begin() + static_cast<std::ptrdiff_t>(surface_count));
 }
 
 Arrays fill_arrays(const IndexContents& contents, std::size_t class_count, double spacing_deg) {

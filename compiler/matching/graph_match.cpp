@@ -13,7 +13,7 @@ namespace {
 
 // Partial mappings tried before a search is cut short: far more than any pair of views of the
 // thesis's objects needs, so that only a graph of many equal contours ever meets it.
-constexpr std::size_t kMostTried = 200000;
+constexpr std::size_t kMostTried = 20000;
 
 double square(double x) { return x * x; }
 
@@ -59,7 +59,9 @@ struct Arc {
 
 std::vector<Arc> arc_matrix(const ObservedView& view, double roll) {
   std::vector<Arc> arcs(view.external_count * view.external_count);
-  const long steps = std::lround(roll * 8 / std::numbers::pi);
+  // Halves are rounded away from zero whatever their last bits, so that both orders agree.
+  const double turns = roll * 8 / std::numbers::pi;
+  const long steps = std::lround(turns + std::copysign(1e-9, turns));
   for (const Relation& r : view.relations)
     arcs[r.from * view.external_count + r.to] = {
         true, static_cast<std::uint8_t>((r.direction + steps) & 15), r.kind};

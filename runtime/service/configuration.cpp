@@ -84,6 +84,7 @@ void SegmentationOverrides::apply(VisionParameters& parameters) const {
   replace(parameters.area_min_px, area_min_px);
   replace(parameters.thickness_min_px, thickness_min_px);
   replace(parameters.smooth, smooth);
+  replace(parameters.one_blob, one_blob);
   replace(parameters.region_of_interest, region_of_interest);
 }
 

@@ -22,7 +22,7 @@ struct CameraConfiguration {
 struct SegmentationOverrides {
   std::optional<int> intensity_min, chroma_step, noise_steps, intensity_step, area_min_px;
   std::optional<float> thickness_min_px;
-  std::optional<bool> smooth;
+  std::optional<bool> smooth, one_blob;
   std::optional<Box> region_of_interest;
 
   void apply(VisionParameters& parameters) const;

@@ -32,6 +32,7 @@ std::optional<Error> read_segmentation(const toml::table& table, const std::stri
   reader.read("area_min_px", {1, kMaxPixels}, overrides.area_min_px);
   reader.read("thickness_min_px", {0, kMaxFrameSide_px}, overrides.thickness_min_px);
   reader.read("smooth", overrides.smooth);
+  reader.read("one_blob", overrides.one_blob);
   read_region_of_interest(reader, overrides.region_of_interest);
   return reader.finish();
 }

@@ -240,8 +240,8 @@ void Segmenter::measure_regions() {
 std::array<float, 3> Segmenter::mean_rgb(const Core& core) {
   std::array<float, 3> mean{};
   for (std::size_t channel = 0; channel < 3; ++channel)
-    mean[channel] = static_cast<float>(static_cast<double>(core.rgb[channel]) /
-                                       static_cast<double>(core.area));
+    mean[channel] =
+        static_cast<float>(static_cast<double>(core.rgb[channel]) / static_cast<double>(core.area));
   return mean;
 }
 

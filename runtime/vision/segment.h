@@ -72,8 +72,7 @@ class Segmenter {
   std::span<std::uint16_t> labels_;
   int stride_px_ = 0;
   Box active_;
-  std::size_t core_count_ = 0, run_count_ = 0, region_count_ = 0,
-              blob_count_ = 0;
+  std::size_t core_count_ = 0, run_count_ = 0, region_count_ = 0, blob_count_ = 0;
   int dropped_ = 0;
 };
 

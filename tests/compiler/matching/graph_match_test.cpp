@@ -109,6 +109,18 @@ TEST_CASE("two views cost the same in either order, with mappings that undo each
   CHECK(unlike < 30);
 }
 
+TEST_CASE("a roll halfway between two of the sixteen directions is rounded alike both ways") {
+  std::mt19937 random(14);
+  for (int round = 0; round < 320; ++round) {
+    const ObservedView a = random_view(random, 5);
+    ObservedView b = random_view(random, 5);
+    b.direction = a.direction;
+    b.right = rolled_view(a, (round % 16 + 0.5) * kStep_rad).right;
+    const double there = match_graphs(a, b, MatchScales{}, kAnyCost).cost;
+    CHECK(match_graphs(b, a, MatchScales{}, kAnyCost).cost == Approx(there).epsilon(2e-6));
+  }
+}
+
 TEST_CASE("giving up prunes the search but changes no result that is accepted") {
   std::mt19937 random(5);
   const MatchScales scales;

@@ -1,0 +1,210 @@
+#include "tools/eval/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "compiler/scene/bob_reader.h"
+#include "tools/eval/object_symmetry.h"
+#include "tools/eval/random_directions.h"
+#include "tools/replay/sized_recogniser.h"
+
+namespace aspect {
+namespace {
+
+// Rendered views through a recogniser. The object is alone in them: one blob, as the compiler sees.
+class TestBench {
+ public:
+  TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings)
+      : recogniser_(indexes, parameters_for(indexes, settings)) {}
+
+  // The result lives until the next call.
+  Recognition recognise(const EvaluatedObject& object, const Eigen::Vector3d& direction) {
+    object.renderer.render(camera_at(object.scene.studio, direction), picture_);
+    recogniser_.make_room(picture_.width_px, picture_.height_px);
+    return recogniser_.recognise({picture_.rgb.data(), picture_.width_px, picture_.height_px,
+                                  3 * static_cast<std::ptrdiff_t>(picture_.width_px),
+                                  PixelFormat::rgb8});
+  }
+
+ private:
+  static RecogniserParameters parameters_for(std::span<const ClassIndex> indexes,
+                                             const EvaluationSettings& settings) {
+    RecogniserParameters parameters;
+    parameters.vision = indexes.front().vision;
+    parameters.vision.one_blob = true;
+    parameters.matching = settings.matching;
+    parameters.ranking = settings.ranking;
+    parameters.top = kMaxHypotheses;
+    return parameters;
+  }
+
+  SizedRecogniser recogniser_;
+  Picture picture_;
+};
+
+std::span<const Hypothesis> hypotheses_of(const Recognition& recognition) {
+  if (recognition.objects.empty()) return {};
+  return recognition.objects.front().hypotheses;
+}
+
+double milliseconds(std::chrono::nanoseconds duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+double error_deg(const EvaluatedObject& object, const Eigen::Vector3d& truth,
+                 const Vector3& found) {
+  const Eigen::Vector3d view =
+      Eigen::Vector3f(found[0], found[1], found[2]).cast<double>().normalized();
+  return view_error_rad(object.rotations, truth, view) * 180 / std::numbers::pi;
+}
+
+template <typename Same>
+int rank_of(std::span<const Hypothesis> hypotheses, const Same& is_right) {
+  for (std::size_t k = 0; k < hypotheses.size(); ++k)
+    if (is_right(static_cast<std::int32_t>(hypotheses[k].class_id))) return static_cast<int>(k) + 1;
+  return 0;
+}
+
+ViewOutcome judge(const EvaluatedObject& object, const ClassSymmetry& symmetry,
+                  const Eigen::Vector3d& direction, const Recognition& recognition) {
+  ViewOutcome outcome;
+  outcome.direction = direction;
+  outcome.right_class = object.views.nearest(direction);
+  outcome.elapsed_ms = milliseconds(recognition.elapsed);
+  const auto hypotheses = hypotheses_of(recognition);
+  const std::int32_t right = outcome.right_class;
+  outcome.rank = rank_of(hypotheses, [&](std::int32_t c) { return c == right; });
+  outcome.rank_with_symmetry =
+      rank_of(hypotheses, [&](std::int32_t c) { return symmetry.same(right, c); });
+  if (!hypotheses.empty())
+    outcome.error_deg = error_deg(object, direction, hypotheses.front().view);
+  return outcome;
+}
+
+template <typename Test>
+double share_of(const std::vector<ViewOutcome>& outcomes, const Test& test) {
+  return static_cast<double>(std::count_if(outcomes.begin(), outcomes.end(), test)) /
+         static_cast<double>(outcomes.size());
+}
+
+double mean(const std::vector<double>& values) {
+  if (values.empty()) return 0;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+ErrorSummary summarise(const std::vector<double>& errors_deg) {
+  const auto within = [&](double most) {
+    const auto count = std::count_if(errors_deg.begin(), errors_deg.end(),
+                                     [&](double error) { return error <= most; });
+    return static_cast<double>(count) /
+           static_cast<double>(std::max<std::size_t>(1, errors_deg.size()));
+  };
+  return {percentile(errors_deg, 0.5),
+          mean(errors_deg),
+          percentile(errors_deg, 0.9),
+          within(5),
+          within(10),
+          within(20)};
+}
+
+void summarise(ObjectEvaluation& evaluation) {
+  const auto& outcomes = evaluation.outcomes;
+  for (std::size_t k = 0; k < kReportedRanks.size(); ++k) {
+    const int most = kReportedRanks[k];
+    const auto counts = [&](int rank) { return rank >= 1 && rank <= most; };
+    evaluation.right[k] = share_of(outcomes, [&](const auto& o) { return counts(o.rank); });
+    evaluation.right_with_symmetry[k] =
+        share_of(outcomes, [&](const auto& o) { return counts(o.rank_with_symmetry); });
+  }
+  std::vector<double> errors, times;
+  for (const ViewOutcome& outcome : outcomes) {
+    errors.push_back(outcome.error_deg);
+    times.push_back(outcome.elapsed_ms);
+  }
+  evaluation.error = summarise(errors);
+  evaluation.mean_ms = mean(times);
+  evaluation.median_ms = percentile(times, 0.5);
+}
+
+}  // namespace
+
+Result<EvaluatedObject> EvaluatedObject::load(const std::filesystem::path& index_file,
+                                              const std::filesystem::path& scene_file) {
+  Result<ClassIndex> index = load_index(index_file);
+  if (!index) return Error{index.error()};
+  Result<Scene> scene = read_bob(scene_file);
+  if (!scene) return Error{scene.error()};
+  Result<Renderer> renderer = Renderer::create(scene.value());
+  if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};
+  Result<ClassViews> views = ClassViews::create(index.value());
+  if (!views) return Error{index_file.native() + ": " + views.error()};
+  std::vector<Eigen::Matrix3d> rotations = object_rotations(scene.value());
+  return EvaluatedObject{index_file.native(),      std::move(index).value(),
+                         std::move(scene).value(), std::move(renderer).value(),
+                         std::move(views).value(), std::move(rotations)};
+}
+
+ObjectEvaluation evaluate_object(const EvaluatedObject& object,
+                                 const EvaluationSettings& settings) {
+  ObjectEvaluation evaluation;
+  evaluation.object = object.index.object;
+  evaluation.classes = object.index.classes.size();
+  evaluation.index_bytes = object.index.file_bytes;
+  evaluation.rotations = object.rotations.size();
+  for (const AspectClass& aspect : object.index.classes)
+    evaluation.area_fraction += static_cast<double>(aspect.area_fraction);
+  const ClassSymmetry symmetry(object.index, object.views, object.rotations);
+  TestBench bench({&object.index, 1}, settings);
+  int uncovered = 0, nothing = 0;
+  for (const Eigen::Vector3d& direction :
+       random_directions(static_cast<std::size_t>(settings.views), settings.seed)) {
+    const Recognition recognition = bench.recognise(object, direction);
+    evaluation.outcomes.push_back(judge(object, symmetry, direction, recognition));
+    uncovered += object.views.at(direction) == kNoClass ? 1 : 0;
+    nothing += hypotheses_of(recognition).empty() ? 1 : 0;
+  }
+  evaluation.uncovered_share = static_cast<double>(uncovered) / settings.views;
+  evaluation.nothing_found = static_cast<double>(nothing) / settings.views;
+  summarise(evaluation);
+  return evaluation;
+}
+
+Confusion evaluate_confusion(std::span<const EvaluatedObject> objects,
+                             const EvaluationSettings& settings) {
+  std::vector<ClassIndex> indexes;
+  for (const EvaluatedObject& object : objects) indexes.push_back(object.index);
+  const auto directions =
+      random_directions(static_cast<std::size_t>(settings.views), settings.seed);
+  TestBench bench(indexes, settings);
+  Confusion confusion;
+  for (std::size_t truth = 0; truth < objects.size(); ++truth) {
+    std::vector<int> counts(objects.size() + 1, 0);
+    std::vector<double> errors, times;
+    for (const Eigen::Vector3d& direction : directions) {
+      const Recognition recognition = bench.recognise(objects[truth], direction);
+      const auto hypotheses = hypotheses_of(recognition);
+      const std::size_t found = hypotheses.empty() ? objects.size() : hypotheses.front().index;
+      ++counts[found];
+      errors.push_back(
+          found == truth ? error_deg(objects[truth], direction, hypotheses.front().view) : 180);
+      times.push_back(milliseconds(recognition.elapsed));
+    }
+    confusion.counts.push_back(std::move(counts));
+    confusion.error.push_back(summarise(errors));
+    confusion.median_ms.push_back(percentile(times, 0.5));
+  }
+  return confusion;
+}
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
+}
+
+}  // namespace aspect

@@ -1,0 +1,73 @@
+#include "tools/eval/evaluation_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tools/eval/evaluation_json.h"
+#include "tools/eval/evaluation_text.h"
+#include "tools/replay/console.h"
+
+namespace aspect {
+namespace {
+
+// The index does not tell which scene it was compiled from, but for the name and the camera.
+void warn_of_misfit(const EvaluatedObject& object, const std::string& scene_file,
+                    Console& console) {
+  const ClassIndex& index = object.index;
+  const Studio& studio = object.scene.studio;
+  if (object.scene.name != index.object)
+    console.warn(fmt::format("{}: was compiled from a scene named {}, not {}; check the pairs",
+                             object.index_file, index.object, scene_file));
+  else if (studio.width_px != index.width_px || studio.height_px != index.height_px ||
+           std::abs(studio.angle_deg - static_cast<double>(index.field_of_view_deg)) > 1e-3)
+    console.warn(
+        fmt::format("{}: was compiled with another camera than {} has; compile the scene again",
+                    object.index_file, scene_file));
+}
+
+std::vector<EvaluatedObject> load_objects(const EvalOptions& options, Console& console) {
+  std::vector<EvaluatedObject> objects;
+  for (std::size_t k = 0; k < options.indexes.size(); ++k) {
+    Result<EvaluatedObject> object = EvaluatedObject::load(options.indexes[k], options.scenes[k]);
+    if (!object) {
+      console.fail(object.error());
+      continue;
+    }
+    const auto same = std::find_if(objects.begin(), objects.end(), [&](const auto& other) {
+      return other.index.object == object.value().index.object;
+    });
+    if (same != objects.end()) {
+      console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out",
+                               options.indexes[k].native(), same->index.object, same->index_file));
+      continue;
+    }
+    warn_of_misfit(object.value(), options.scenes[k].native(), console);
+    objects.push_back(std::move(object).value());
+  }
+  return objects;
+}
+
+}  // namespace
+
+int run_evaluation(const EvalOptions& options) {
+  Console console("aspect-eval");
+  const std::vector<EvaluatedObject> objects = load_objects(options, console);
+  if (console.failures() > 0) return 1;
+  Evaluation evaluation;
+  evaluation.settings = {options.views, options.seed, options.matching, options.ranking};
+  for (const EvaluatedObject& object : objects) {
+    console.progress(evaluation.objects.size() + 1, objects.size(), object.index.object);
+    evaluation.objects.push_back(evaluate_object(object, evaluation.settings));
+  }
+  if (objects.size() > 1) evaluation.confusion = evaluate_confusion(objects, evaluation.settings);
+  const std::string text = options.json ? evaluation_json(evaluation) : evaluation_text(evaluation);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+    return 0;
+  console.fail("standard output: cannot be written; check where it goes");
+  return 1;
+}
+
+}  // namespace aspect

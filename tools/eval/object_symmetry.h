@@ -1,0 +1,25 @@
+// The proper rotations that leave an object as it is, in shape and colour.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "compiler/scene/scene.h"
+
+namespace aspect {
+
+// Rotations about studio.at, round which the viewing sphere stands; the identity comes first. Those
+// looked for are the 24 of the cube, n-fold turns about x, y and z with n = 2, 3, 5, 6, 8, 12 and
+// 360 (which stands for any angle), and products of two that were found.
+// Compares the lists of primitives: a face that is cut differently from its image hides a symmetry.
+// Lights are left out. O(candidates * primitives^2) at worst.
+std::vector<Eigen::Matrix3d> object_rotations(const Scene& scene);
+
+// Angle between two unit vectors; at most `pi`.
+double angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+// Angle between two views of an object, modulo its rotations.
+double view_error_rad(const std::vector<Eigen::Matrix3d>& rotations, const Eigen::Vector3d& truth,
+                      const Eigen::Vector3d& found);
+
+}  // namespace aspect

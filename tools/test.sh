@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Sets up, builds and runs all tests: first the release build's, then those of the parsers and of
+# the runtime under the address and undefined-behaviour sanitizers.
+# usage: tools/test.sh [CTEST OPTIONS...]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+tools/setup.sh
+tools/build.sh all
+echo "== release"
+ctest --test-dir build/release --output-on-failure -j2 "$@"
+
+echo "== sanitizers"
+cmake --preset asan >/dev/null
+cmake --build --preset asan --target sanitized_tests
+ctest --test-dir build/asan --output-on-failure -j2 -L sanitized "$@"
