@@ -57,6 +57,22 @@ bool within(std::uint64_t first, std::uint64_t count, std::size_t size) {
   return first <= size && count <= size - first;
 }
 
+// Ranges that follow one another without a gap, as aspectc writes them: shared ones could multiply
+// the work of a small file without bound.
+class Sequence {
+ public:
+  explicit Sequence(std::size_t size) : size_(size) {}
+  bool takes(std::uint64_t first, std::uint64_t count) {
+    if (first != end_ || !within(first, count, size_)) return false;
+    end_ += count;
+    return true;
+  }
+
+ private:
+  std::size_t size_;
+  std::uint64_t end_ = 0;
+};
+
 Vector3 unpack(const fb::Direction& d) {
   const Vector3 v{d.x() / kDirectionUnit, d.y() / kDirectionUnit, d.z() / kDirectionUnit};
   const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -84,8 +100,13 @@ Problem unpack_types(const fb::ClassIndex& root, ClassIndex& index) {
 
 Problem unpack_classes(const fb::ClassIndex& root, ClassIndex& index) {
   index.surfaces.assign(root.surfaces()->begin(), root.surfaces()->end());
+  if (root.classes()->size() > kMaxClasses)
+    return {"has " + std::to_string(root.classes()->size()) + " classes, more than the " +
+            std::to_string(kMaxClasses) + " that there can be" + recompile()};
+  Sequence scores(index.type_scores.size()), contours(root.class_contours()->size()),
+      key_views(index.key_views.size());
   for (const fb::ClassContour* c : *root.class_contours()) {
-    if (!within(c->first_type(), c->type_count(), index.type_scores.size()) ||
+    if (!scores.takes(c->first_type(), c->type_count()) ||
         !within(c->first_surface(), c->surface_count(), index.surfaces.size()) ||
         !all_finite({c->centre_x(), c->centre_y(), c->centre_z()}))
       return {"has a contour that points outside of it" + recompile()};
@@ -97,8 +118,8 @@ Problem unpack_classes(const fb::ClassIndex& root, ClassIndex& index) {
          {c->centre_x(), c->centre_y(), c->centre_z()}});
   }
   for (const fb::AspectClass* a : *root.classes()) {
-    if (!within(a->first_contour(), a->contour_count(), index.class_contours.size()) ||
-        !within(a->first_key_view(), a->key_view_count(), index.key_views.size()) ||
+    if (!contours.takes(a->first_contour(), a->contour_count()) ||
+        !key_views.takes(a->first_key_view(), a->key_view_count()) ||
         a->contour_count() > kMaxClassContours || !std::isfinite(a->area_fraction()))
       return {"has a class that points outside of it" + recompile()};
     index.classes.push_back({{a->first_contour(), a->contour_count()},
@@ -121,8 +142,9 @@ Problem unpack_key_views(const fb::ClassIndex& root, ClassIndex& index) {
                                k->yyy() / kThirdUnit};
     index.key_contours.push_back(contour);
   }
+  Sequence contours(index.key_contours.size());
   for (const fb::KeyView* v : *root.key_views()) {
-    if (!within(v->first_contour(), v->contour_count(), index.key_contours.size()) ||
+    if (!contours.takes(v->first_contour(), v->contour_count()) ||
         v->contour_count() > kMaxSide)
       return {"has a key view that points outside of it" + recompile()};
     index.key_views.push_back({unpack(v->direction()), {v->first_contour(), v->contour_count()}});

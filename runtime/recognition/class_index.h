@@ -18,6 +18,7 @@ namespace aspect {
 inline constexpr std::uint32_t kIndexFormatVersion = 1;
 inline constexpr std::size_t kMaxIndexBytes = 16U << 20U;
 inline constexpr std::size_t kMaxClassContours = 48;
+inline constexpr std::size_t kMaxClasses = 65536;  // a hypothesis names its class in 16 bits
 
 using Vector3 = std::array<float, 3>;
 

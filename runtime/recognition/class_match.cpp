@@ -74,9 +74,9 @@ ClassMatch ClassMatcher::match(const ClassIndex& index, std::size_t class_id, Ma
   const auto seen = static_cast<double>(contour_count_);
   const auto known = static_cast<double>(contours.size());
   if (matching == Matching::simple)
-    match.score = static_cast<float>(10 * m - std::abs(seen - known));
+    match.score = 10 * m - std::abs(seen - known);
   else
-    match.score = static_cast<float>(match.assignment.weight - 1e5 * std::max(known - seen, 0.0));
+    match.score = match.assignment.weight - 1e5 * std::max(known - seen, 0.0);
   return match;
 }
 

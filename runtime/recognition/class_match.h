@@ -14,7 +14,9 @@ enum class Matching : std::uint8_t { simple, weighted };
 
 struct ClassMatch {
   Assignment assignment;  // frame contour -> class contour
-  float score = 0;        // simple: equation 3.8; weighted: equation 4.2
+  // Simple: equation 3.8; weighted: equation 4.2. A float would lose weights below 0.5 next to the
+  // 10^6 a match.
+  double score = 0;
 };
 
 // Nearest contour type of a feature; ties go to the lower type. O(types).

@@ -133,7 +133,8 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
       hypothesis = {};
       hypothesis.index = static_cast<std::uint16_t>(i);
       hypothesis.class_id = static_cast<std::uint16_t>(c);
-      hypothesis.class_score = hypothesis.score = match.score;
+      hypothesis.class_score = match.score;
+      hypothesis.score = match.score;
       hypothesis.matched = matched;
       hypothesis.unmatched = static_cast<int>(features.size()) - matched;
       hypothesis.view = index.classes[c].view;
@@ -168,7 +169,7 @@ void Recogniser::fit_shortlist(std::span<const ContourFeature> features, std::si
       continue;
     }
     least_cost = std::min(least_cost, best.cost);
-    hypothesis.score = 1 / (1 + best.cost);
+    hypothesis.score = 1 / (1 + static_cast<double>(best.cost));
     hypothesis.view = mean.about(*best_view, best.cost);
     hypothesis.roll_rad = best.roll_rad;
   }

@@ -43,8 +43,8 @@ struct ContourMatch {
 struct Hypothesis {
   std::uint16_t index = 0;  // which of the loaded indexes
   std::uint16_t class_id = 0;
-  float score = 0;                 // what the list is ordered by, higher is better
-  float class_score = 0;           // the thesis's, equation 4.2
+  double score = 0;                // what the list is ordered by, higher is better
+  double class_score = 0;          // the thesis's, equation 4.2
   int matched = 0, unmatched = 0;  // of the frame's contours
   Vector3 view{};                  // unit vector from the object's centre to the camera
   float roll_rad = 0;              // the frame is turned by this against the key view; views only

@@ -18,7 +18,7 @@ struct ViewFitScales {
   float area = 0.04F;       // shares of the blob's area
   float second = 0.012F;    // second moments, in the blob's area
   float third = 0.004F;     // third moments, in the blob's area to 1.5
-  float missing = 1.0F;     // cost of a contour without partner, and
+  float missing = 6.0F;     // cost of a contour without partner, and
   float missing_area = 40;  // on top of it for all of the blob's area
   float roll = 0.15F;       // cost of standing on the head: cameras are seldom rolled by chance
 };

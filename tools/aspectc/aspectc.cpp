@@ -5,22 +5,27 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "compiler/compile.h"
+#include "compiler/scene/bob_reader.h"
+#include "runtime/recognition/class_match.h"
 #include "tools/aspectc/inspect_command.h"
 #include "tools/aspectc/progress_line.h"
 #include "tools/aspectc/render_command.h"
 #include "tools/aspectc/statistics_json.h"
 #include "tools/aspectc/whole_file.h"
-#include "compiler/scene/bob_reader.h"
-#include "runtime/recognition/class_match.h"
 
 namespace aspect {
 namespace {
 
 std::atomic<bool> stop_asked{false};
 
-extern "C" void ask_to_stop(int) { stop_asked.store(true); }
+extern "C" void ask_to_stop(int) {
+  stop_asked.store(true);
+}
 
 struct CompileCommand {
   std::string scene, output, store, statistics, progress = "auto", scoring = "views";
@@ -30,7 +35,10 @@ struct CompileCommand {
 
   void add_to(CLI::App& app);
   int run();
+  std::optional<std::filesystem::path> store_path() const;
+  Result<Done> check_outputs() const;
   Result<CompiledIndex> compile_scene(const Scene& scene);
+  Result<Done> write(const CompiledIndex& index) const;
 };
 
 void CompileCommand::add_to(CLI::App& app) {
@@ -77,11 +85,49 @@ Result<CompiledIndex> CompileCommand::compile_scene(const Scene& loaded) {
                                                   {"always", ProgressMode::always},
                                                   {"never", ProgressMode::never}};
   ProgressLine line(loaded.name, options.level, modes.at(progress));
-  std::optional<std::filesystem::path> store_path;
-  if (!no_store)
-    store_path = store.empty() ? std::filesystem::path(output).replace_extension(".store")
-                               : std::filesystem::path(store);
-  return compile(loaded, options, store_path, [&](const Progress& p) { line.show(p); }, &stop_asked);
+  Result<CompiledIndex> compiled = compile(
+      loaded, options, store_path(), [&](const Progress& p) { line.show(p); }, &stop_asked);
+  if (compiled.ok() && compiled.value().statistics.clusters_in_index == 0)
+    return Error{
+        fmt::format("{}: not one class fits into {} KiB; raise --max-index-kib or lower "
+                    "--types",
+                    output, max_index_kib)};
+  return compiled;
+}
+
+std::optional<std::filesystem::path> CompileCommand::store_path() const {
+  if (no_store) return std::nullopt;
+  if (!store.empty()) return store;
+  return std::filesystem::path(output).replace_extension(".store");
+}
+
+Result<Done> CompileCommand::check_outputs() const {
+  if (Result<Done> done = check_writable(output); !done) return done;
+  return statistics.empty() ? Done{} : check_writable(statistics);
+}
+
+Result<Done> CompileCommand::write(const CompiledIndex& index) const {
+  if (Result<Done> done = write_whole_file(output, index.bytes); !done) return done;
+  if (statistics.empty()) return Done{};
+  const std::string json = statistics_json(index.statistics);
+  const auto* first = reinterpret_cast<const std::uint8_t*>(json.data());
+  return write_whole_file(statistics, {first, json.size()});
+}
+
+// Of two names for one file, there already or not.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code unknown;
+  return std::filesystem::equivalent(a, b, unknown) ||
+         std::filesystem::weakly_canonical(a, unknown) ==
+             std::filesystem::weakly_canonical(b, unknown);
+}
+
+// No file may be two of scene, index, store and statistics. The name that is given twice, or none.
+std::optional<std::string> file_given_twice(const std::vector<std::filesystem::path>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (is_same_file(files[i], files[k])) return files[k].string();
+  return std::nullopt;
 }
 
 int fail(const std::string& message) {
@@ -105,21 +151,24 @@ int CompileCommand::run() {
   for (const std::string& warning : loaded.value().warnings)
     fmt::print(stderr, "aspectc: warning: {}\n", warning);
   if (output.empty()) output = loaded.value().name + ".aspect";
+  std::vector<std::filesystem::path> files = {scene, output};
+  if (const auto path = store_path()) files.push_back(*path);
+  if (!statistics.empty()) files.emplace_back(statistics);
+  if (const auto twice = file_given_twice(files)) {
+    fmt::print(stderr,
+               "aspectc: {} is given twice; scene, index, store and statistics need a file each\n",
+               *twice);
+    return 2;
+  }
+  if (Result<Done> done = check_outputs(); !done) return fail(done.error());
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   const Result<CompiledIndex> compiled = compile_scene(loaded.value());
   if (!compiled) return fail(compiled.error());
-  if (Result<Done> done = write_whole_file(output, compiled.value().bytes); !done)
-    return fail(done.error());
+  if (Result<Done> done = write(compiled.value()); !done) return fail(done.error());
   const CompileStatistics& s = compiled.value().statistics;
-  if (!statistics.empty()) {
-    const std::string json = statistics_json(s);
-    const auto* first = reinterpret_cast<const std::uint8_t*>(json.data());
-    if (Result<Done> done = write_whole_file(statistics, {first, json.size()}); !done)
-      return fail(done.error());
-  }
-  fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n", output,
-             s.clusters_in_index, 100 * s.area_fraction_in_index, s.views,
+  fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n",
+             output, s.clusters_in_index, 100 * s.area_fraction_in_index, s.views,
              static_cast<double>(s.index_bytes) / 1024, s.seconds.total);
   return 0;
 }
@@ -127,9 +176,10 @@ int CompileCommand::run() {
 int run_program(int argc, char** argv) {
   CLI::App app{"aspectc compiles a coloured CAD model into a class index for aspectd.", "aspectc"};
   app.set_version_flag("--version", ASPECT_VERSION);
-  app.footer("Examples:\n  aspectc part.b -o part.aspect --level 5\n"
-             "  aspectc render part.b --from 1,0.5,0.3 --segmented -o view.png\n"
-             "  aspectc inspect part.aspect");
+  app.footer(
+      "Examples:\n  aspectc part.b -o part.aspect --level 5\n"
+      "  aspectc render part.b --from 1,0.5,0.3 --segmented -o view.png\n"
+      "  aspectc inspect part.aspect");
   CompileCommand compile_command;
   compile_command.add_to(app);
   RenderCommand render_command;

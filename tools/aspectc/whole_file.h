@@ -14,4 +14,7 @@ namespace aspect {
 Result<Done> write_whole_file(const std::filesystem::path& file,
                               std::span<const std::uint8_t> bytes);
 
+// Whether write_whole_file would find a folder that it may write to, before hours of work.
+Result<Done> check_writable(const std::filesystem::path& file);
+
 }  // namespace aspect

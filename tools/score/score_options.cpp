@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "tools/score/truth_table.h"
+
 namespace aspect {
 namespace {
 
@@ -36,11 +38,17 @@ Examples:
   aspect-score truth.csv seen.ndjson --sheet sheet.png --overlays drawn
 )";
 
-void add_minimum(CLI::App& app, const std::string& name, std::optional<double>& value, double most,
-                 const std::string& help, const std::string& type) {
+void add_demand(CLI::App& app, const std::string& name, std::optional<double>& value, double most,
+                const std::string& help, const std::string& type) {
+  // CLI11's own range check lets "nan" through.
+  const auto fault_of = [most](const std::string& text) {
+    const auto number = finite_number(text);
+    if (number && *number >= 0 && *number <= most) return std::string();
+    return fmt::format("{} is not a number from 0 to {}", text, most);
+  };
   app.add_option_function<double>(
          name, [&value](double number) { value = number; }, help)
-      ->check(CLI::Range(0.0, most).description(""))
+      ->check(fault_of)
       ->type_name(type);
 }
 
@@ -65,12 +73,12 @@ void add_options(CLI::App& app, ScoreOptions& options) {
            "OUT.png");
   add_path(app, "--overlays", options.overlays, "the folder given to aspect-replay --overlay",
            "FOLDER");
-  add_minimum(app, "--min-right", options.min_right_percent, 100,
-              "fail where fewer objects are named right", "PERCENT");
-  add_minimum(app, "--max-median", options.max_median_deg, 180,
-              "fail where the median error of the views is larger", "DEGREES");
-  add_minimum(app, "--min-within20", options.min_within20_percent, 100,
-              "fail where fewer views are within 20 degrees", "PERCENT");
+  add_demand(app, "--min-right", options.min_right_percent, 100,
+             "fail where fewer objects are named right", "PERCENT");
+  add_demand(app, "--max-median", options.max_median_deg, 180,
+             "fail where the median error of the views is larger", "DEGREES");
+  add_demand(app, "--min-within20", options.min_within20_percent, 100,
+             "fail where fewer views are within 20 degrees", "PERCENT");
 }
 
 }  // namespace

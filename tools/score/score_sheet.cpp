@@ -28,7 +28,7 @@ cv::Mat cell_picture(const cv::Mat& overlay) {
 
 std::string part_of_caption(const ScoredObject& object) {
   if (object.right) return fmt::format("{} ({:.1f})", object.found, object.error_deg);
-  if (object.truth.empty()) return object.found + " (nothing there)";
+  if (object.truth.empty()) return object.found + " (nothing known there)";
   return fmt::format("{} (is {})", object.found.empty() ? "nothing" : object.found, object.truth);
 }
 

@@ -45,8 +45,7 @@ struct Cube {
     for (const PatchId patch : cluster.patches)
       if (is_pure(patch)) area_of[faces(patch, 0)] += area(patch);
     const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-    return area_of.empty() ? 0
-                           : std::max_element(area_of.begin(), area_of.end(), less)->first;
+    return area_of.empty() ? 0 : std::max_element(area_of.begin(), area_of.end(), less)->first;
   }
 };
 
@@ -55,7 +54,9 @@ Cube cube(int level) {
 }
 
 std::uint16_t main_surface(const ObservedContour& contour) {
-  const auto less = [](const SurfaceShare& a, const SurfaceShare& b) { return a.pixels < b.pixels; };
+  const auto less = [](const SurfaceShare& a, const SurfaceShare& b) {
+    return a.pixels < b.pixels;
+  };
   return std::max_element(contour.surfaces.begin(), contour.surfaces.end(), less)->surface;
 }
 

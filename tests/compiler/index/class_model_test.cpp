@@ -31,8 +31,7 @@ TEST_CASE("scores are ones, numbers of views, or the area that those stand for")
   for (std::size_t c = 0; c < none.model.clusters.size(); ++c) {
     const Cluster& cluster = none.model.clusters[c];
     for (std::size_t k = 0; k < cluster.contour_count; ++k) {
-      for (const auto& [type, score] : none.classes[c].contours[k].score_of_type)
-        CHECK(score == 1);
+      for (const auto& [type, score] : none.classes[c].contours[k].score_of_type) CHECK(score == 1);
       CHECK(sum_of_scores(views.classes[c].contours[k]) ==
             Approx(static_cast<double>(cluster.views.size())));
       CHECK(sum_of_scores(area.classes[c].contours[k]) == Approx(cluster.area_fraction));
@@ -51,8 +50,7 @@ TEST_CASE("every contour of every view is of a type that its class knows by its 
     for (const ClusterView& view : cluster.views) {
       const ObservedView& seen = s.views[place_of(view.vertex)];
       for (std::size_t i = 0; i < cluster.contour_count; ++i) {
-        const auto type =
-            nearest_type(described.types, type_attributes(seen.contours[i].feature));
+        const auto type = nearest_type(described.types, type_attributes(seen.contours[i].feature));
         CHECK(described.classes[c].contours[view.names[i]].score_of_type.contains(type));
       }
     }
@@ -76,9 +74,9 @@ TEST_CASE("no view is farther from a key view than the spacing, and no two key v
       const auto keys = choose_key_views(model.subdivision, cluster, typical, spacing);
       const auto angle = [&](std::size_t a, std::size_t b) {
         const ViewSphere& sphere = model.subdivision.sphere;
-        return std::acos(std::clamp(sphere.position(cluster.views[a].vertex)
-                                        .dot(sphere.position(cluster.views[b].vertex)),
-                                    -1.0, 1.0));
+        return std::acos(std::clamp(
+            sphere.position(cluster.views[a].vertex).dot(sphere.position(cluster.views[b].vertex)),
+            -1.0, 1.0));
       };
       REQUIRE(keys.front() == typical);
       for (std::size_t i = 0; i < cluster.views.size(); ++i) {

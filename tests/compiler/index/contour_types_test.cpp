@@ -31,7 +31,8 @@ double scatter(const Samples& samples, const Samples& types) {
   double sum = 0;
   for (const TypeAttributes& sample : samples) {
     double least = std::numeric_limits<double>::infinity();
-    for (const TypeAttributes& type : types) least = std::min(least, squared_distance(sample, type));
+    for (const TypeAttributes& type : types)
+      least = std::min(least, squared_distance(sample, type));
     sum += least;
   }
   return sum;
@@ -84,8 +85,7 @@ Samples separate_centres(std::mt19937& random, std::size_t count, double apart) 
 TEST_CASE("separate blobs are found, each by one type at its middle") {
   std::mt19937 random(1);
   for (int round = 0; round < 20; ++round) {
-    const Samples centres =
-        separate_centres(random, 2 + static_cast<std::size_t>(round) % 12, 40);
+    const Samples centres = separate_centres(random, 2 + static_cast<std::size_t>(round) % 12, 40);
     const Samples types = find_contour_types(blobs(random, centres, 100), centres.size());
     INFO("round " << round << ", " << centres.size() << " blobs");
     REQUIRE(types.size() == centres.size());

@@ -18,8 +18,7 @@ struct DescribedModel {
 
   static constexpr std::uint64_t kSceneHash = 0x0123456789ABCDEF;
   IndexContents contents() const {
-    return {model.scene,    kSceneHash, options, model.subdivision,
-            model.clusters, classes,    types};
+    return {model.scene, kSceneHash, options, model.subdivision, model.clusters, classes, types};
   }
 };
 

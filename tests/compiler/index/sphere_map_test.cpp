@@ -17,8 +17,7 @@ std::vector<std::int32_t> random_classes(std::mt19937& random, const ViewSphere&
   std::vector<std::int32_t> class_of(sphere.patch_count(), kNoClass);
   std::int32_t current = kNoClass;
   for (const PatchId leaf : sphere.leaves()) {
-    if (random() % 4 == 0)
-      current = static_cast<std::int32_t>(random() % (class_count + 1)) - 1;
+    if (random() % 4 == 0) current = static_cast<std::int32_t>(random() % (class_count + 1)) - 1;
     class_of[static_cast<std::size_t>(leaf)] = current;
   }
   return class_of;
@@ -95,8 +94,7 @@ TEST_CASE("the map within a budget is the finest that fits") {
 TEST_CASE("a map cut short anywhere is refused in one line") {
   std::mt19937 random(8);
   const ViewSphere sphere = random_sphere(8, 100, 6);
-  const auto bytes =
-      encode_sphere_map(sphere, random_classes(random, sphere, 9), 9, kDeepest);
+  const auto bytes = encode_sphere_map(sphere, random_classes(random, sphere, 9), 9, kDeepest);
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     const Result<SphereMap> map = decode_sphere_map(std::span(bytes).first(length), 9);
     REQUIRE_FALSE(map.ok());

@@ -31,7 +31,9 @@ double roll(const ObservedView& a, const ObservedView& b) {
   return -std::atan2(moved.dot(down), moved.dot(b.right));
 }
 
-double squared(double x) { return x * x; }
+double squared(double x) {
+  return x * x;
+}
 
 double node(const ContourFeature& a, const ContourFeature& b, double turn, const MatchScales& s) {
   const auto d = [](float x) { return static_cast<double>(x); };

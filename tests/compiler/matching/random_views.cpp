@@ -47,8 +47,8 @@ void relate_all(std::mt19937& random, ObservedView& view) {
       relation.from = static_cast<std::uint16_t>(i);
       relation.to = static_cast<std::uint16_t>(k);
       relation.direction = code_between(view.contours[i].feature, view.contours[k].feature);
-      relation.kind = random() % 8 == 0 ? static_cast<Relation::Kind>(random() % 4)
-                                        : Relation::Kind::apart;
+      relation.kind =
+          random() % 8 == 0 ? static_cast<Relation::Kind>(random() % 4) : Relation::Kind::apart;
       view.relations.push_back(relation);
     }
   }
@@ -130,8 +130,8 @@ ObservedView rolled_view(const ObservedView& view, double angle_rad) {
     f.moments.yy = static_cast<float>(turned_spread(1, 1));
   }
   for (Relation& relation : rolled.relations)
-    relation.direction = code_between(rolled.contours[relation.from].feature,
-                                      rolled.contours[relation.to].feature);
+    relation.direction =
+        code_between(rolled.contours[relation.from].feature, rolled.contours[relation.to].feature);
   return rolled;
 }
 

@@ -13,7 +13,8 @@ namespace aspect {
 ObservedView random_view(std::mt19937& random, std::size_t count);
 
 // The same contours in another order, each attribute moved by noise of that size, seen from a
-// direction near by, every other time with a camera rolled at random that the picture does not suit.
+// direction near by, every other time with a camera rolled at random that the picture does not
+// suit.
 ObservedView shuffled_view(std::mt19937& random, const ObservedView& view, double noise);
 
 // What the camera of a view sees once it is turned about its optical axis by -angle: the picture

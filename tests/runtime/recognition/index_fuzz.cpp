@@ -1,0 +1,37 @@
+// Fuzzes the reader of class indexes and what is done with an index that was accepted. Under
+// ASPECT_LIBFUZZER the engine drives it; otherwise seeded damage to a real index is replayed.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "tests/runtime/recognition/hostile_index.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  aspect::IndexBytes bytes(size);
+  if (size > 0) std::memcpy(bytes.data(), data, size);
+  // A message is one line: more than that is a bug as well.
+  if (aspect::try_index(bytes).find('\n') != std::string::npos) std::abort();
+  aspect::repair_checksum(bytes);
+  if (aspect::try_index(bytes).find('\n') != std::string::npos) std::abort();
+  return 0;
+}
+
+#ifndef ASPECT_LIBFUZZER
+int main() {
+  constexpr int kRounds = 3000;
+  const aspect::IndexBytes sample = aspect::sample_index_bytes();
+  // Without an index to damage the replay would test nothing.
+  if (!aspect::try_index(sample).empty()) return EXIT_FAILURE;
+  std::mt19937 random(20260101);
+  for (int round = 0; round < kRounds; ++round) {
+    aspect::IndexBytes bytes = sample;
+    aspect::damage(bytes, random);
+    if (round % 10 == 0) bytes.resize(random() % bytes.size());
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  }
+  std::printf("%d damaged indexes replayed\n", kRounds);
+  return EXIT_SUCCESS;
+}
+#endif

@@ -1,0 +1,47 @@
+#include <catch2/catch.hpp>
+
+#include "tests/runtime/base/allocation_counter.h"
+#include "tests/runtime/recognition/owned_recogniser.h"
+#include "tests/runtime/recognition/rendered_views.h"
+
+namespace aspect {
+namespace {
+
+std::vector<OwnedFrame> varied_frames() {
+  std::mt19937 random(1);
+  ModelCamera cube("cube"), l_shape("l_shape");
+  std::vector<OwnedFrame> frames;
+  for (int k = 0; k < 10; ++k) {
+    frames.push_back(cube.view(random_direction(random), k));
+    frames.push_back(l_shape.view(random_direction(random), k));
+    frames.push_back(beside(frames[frames.size() - 2], frames.back()));
+  }
+  frames.push_back({64, 64, std::vector<std::uint8_t>(std::size_t{3} * 64 * 64)});
+  OwnedFrame noise{256, 256, std::vector<std::uint8_t>(std::size_t{3} * 256 * 256)};
+  for (std::uint8_t& byte : noise.rgb) byte = static_cast<std::uint8_t>(random());
+  frames.push_back(noise);
+  return frames;
+}
+
+}  // namespace
+
+TEST_CASE("a thousand frames are recognised without memory from the heap") {
+  const std::vector<ClassIndex> indexes = {model_index("cube", 3), model_index("l_shape", 3)};
+  const std::vector<OwnedFrame> frames = varied_frames();
+  OwnedRecogniser owned(indexes, {}, 1024, 512);
+  std::size_t hypotheses = 0;
+  const std::uint64_t before = allocation_count();
+  for (std::size_t i = 0; i < 1000; ++i)
+    for (const SeenObject& object : owned.recognise(frames[i % frames.size()].frame()).objects)
+      hypotheses += object.hypotheses.size();
+  CHECK(allocation_count() - before == 0);
+  CHECK(hypotheses > 1000);
+}
+
+TEST_CASE("the counter that says so counts in this program") {
+  const std::uint64_t before = allocation_count();
+  const std::vector<OwnedFrame> frames = varied_frames();
+  CHECK(allocation_count() > before);
+}
+
+}  // namespace aspect

@@ -1,0 +1,94 @@
+// aspect-eval as its users start it.
+#include <sys/wait.h>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/runtime/capture/temporary_folder.h"
+
+namespace aspect {
+namespace {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+const std::string kCube =
+    " --index cube.aspect --scene '" ASPECT_SOURCE_DIR "/tests/data/rendered/cube.b' ";
+const std::string kMisfit =
+    " --index cube.aspect --scene '" ASPECT_SOURCE_DIR "/tests/data/rendered/l_shape.b' ";
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+class Evaluations {
+ public:
+  Evaluations() {
+    REQUIRE(run("'" ASPECT_ASPECTC "' '" ASPECT_SOURCE_DIR "/tests/data/rendered/cube.b' -o "
+                "cube.aspect --level 2 --min-level 2 --no-store --progress never")
+                .exit_code == 0);
+  }
+  Outcome eval(const std::string& arguments) const { return run("'" ASPECT_EVAL "' " + arguments); }
+
+ private:
+  Outcome run(const std::string& command) const {
+    const std::string line =
+        "cd '" + folder_.path().native() + "' && " + command + " >out 2>err </dev/null";
+    const int status = std::system(line.c_str());
+    return {WEXITSTATUS(status), read_file(folder_.path() / "out"),
+            read_file(folder_.path() / "err")};
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_CASE("A table is printed, or one JSON object") {
+  const Evaluations evaluations;
+  const Outcome table = evaluations.eval(kCube + "--views 10");
+  CHECK(table.exit_code == 0);
+  CHECK(table.err == "");
+  CHECK_THAT(table.out, StartsWith("10 random views an object, seed 1") && Contains("cube"));
+  const Outcome json = evaluations.eval(kCube + "--views 10 --seed 5 --ranking classes --json");
+  CHECK(json.exit_code == 0);
+  const auto parsed = nlohmann::json::parse(json.out);
+  CHECK(parsed["seed"] == 5);
+  CHECK(parsed["ranking"] == "classes");
+  CHECK(parsed["objects"][0]["views"].size() == 10);
+  CHECK_FALSE(parsed.contains("confusion"));
+}
+
+TEST_CASE("An index that does not belong to the scene gets a warning") {
+  const Outcome outcome = Evaluations().eval(kMisfit + "--views 2");
+  CHECK(outcome.exit_code == 0);
+  CHECK_THAT(outcome.err, StartsWith("aspect-eval: warning: cube.aspect: "));
+}
+
+TEST_CASE("Wrong usage and bad files are told in one line") {
+  const Evaluations evaluations;
+  for (const std::string& arguments :
+       {std::string(), std::string("--index cube.aspect"), kCube + "--scene x.b",
+        kCube + "--views 0", kCube + "--views x", kCube + "--seed -1", kCube + "--ranking best",
+        kCube + "--bogus", kCube + "more"}) {
+    const Outcome outcome = evaluations.eval(arguments);
+    INFO(arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out == "");
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+  for (const std::string& arguments :
+       {std::string("--index none.aspect --scene none.b"),
+        std::string("--index cube.aspect --scene none.b"), kCube + kCube}) {
+    const Outcome outcome = evaluations.eval(arguments);
+    INFO(arguments);
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.out == "");
+    CHECK_THAT(outcome.err, StartsWith("aspect-eval: "));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+  CHECK(evaluations.eval("--help").exit_code == 0);
+  CHECK_THAT(evaluations.eval("--version").out, StartsWith("aspect-eval "));
+}
+
+}  // namespace
+}  // namespace aspect
