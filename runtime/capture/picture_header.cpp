@@ -101,11 +101,16 @@ std::optional<std::string> bmp_fault(Bytes bytes) {
 }  // namespace
 
 std::optional<std::string> size_fault(std::int64_t width_px, std::int64_t height_px) {
-  if (width_px < 1 || height_px < 1)
-    return fmt::format("{} x {} px, no pixels; give another picture", width_px, height_px);
+  if (width_px < kMinFrameSide_px || height_px < kMinFrameSide_px)
+    return fmt::format(
+        "{} x {} px; nothing can be seen in less than {} px a side, give another picture", width_px,
+        height_px, kMinFrameSide_px);
   if (width_px > kMaxFrameSide_px || height_px > kMaxFrameSide_px)
     return fmt::format("{} x {} px; at most {} px a side can be looked at, scale it down", width_px,
                        height_px, kMaxFrameSide_px);
+  if (width_px * height_px > kMaxFramePixels)
+    return fmt::format("{} x {} px; at most {} megapixels can be looked at, scale it down",
+                       width_px, height_px, kMaxFramePixels / 1'000'000);
   return std::nullopt;
 }
 

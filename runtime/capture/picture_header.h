@@ -8,7 +8,7 @@
 
 namespace aspect {
 
-// Why a PNG, JPEG or BMP file is not worth decoding: no pixels, more than kMaxFrameSide_px a side,
+// Why a PNG, JPEG or BMP file is not worth decoding: no pixels, a size outside of vision_limits.h,
 // or cut off. None where nothing is wrong or the format is another one. O(bytes).
 std::optional<std::string> picture_fault(std::span<const std::byte> file);
 

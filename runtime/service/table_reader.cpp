@@ -77,6 +77,15 @@ void TableReader::read(std::string_view key, std::optional<bool>& value) {
     refuse(key, *node, "true or false");
 }
 
+void TableReader::read(std::string_view key, std::optional<std::string>& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  if (const auto* text = node->as_string())
+    value = text->get();
+  else
+    refuse(key, *node, "a text in quotes");
+}
+
 void TableReader::read(std::string_view key, ClosedRange<int> range,
                        std::optional<std::array<int, 4>>& value) {
   const toml::node* node = find(key);

@@ -31,6 +31,7 @@ class TableReader {
   void read(std::string_view key, ClosedRange<double> range, std::optional<double>& value);
   void read(std::string_view key, ClosedRange<double> range, std::optional<float>& value);
   void read(std::string_view key, std::optional<bool>& value);
+  void read(std::string_view key, std::optional<std::string>& value);
   void read(std::string_view key, ClosedRange<int> range, std::optional<std::array<int, 4>>& value);
   // The value becomes the place of the word found.
   void read(std::string_view key, std::span<const std::string_view> words,

@@ -14,6 +14,7 @@
 #include "runtime/recognition/class_match.h"
 #include "tools/aspectc/inspect_command.h"
 #include "tools/aspectc/progress_line.h"
+#include "tools/aspectc/project_file.h"
 #include "tools/aspectc/render_command.h"
 #include "tools/aspectc/statistics_json.h"
 #include "tools/aspectc/whole_file.h"
@@ -42,7 +43,7 @@ struct CompileCommand {
 };
 
 void CompileCommand::add_to(CLI::App& app) {
-  app.add_option("scene", scene, "Bob scene to compile (.b)");
+  app.add_option("scene", scene, "Bob scene to compile (.b), or a project that names one (.toml)");
   app.add_option("-o,--output", output, "class index to write [NAME.aspect, here]");
   app.add_option("--level", options.level, "finest level of the viewing sphere's patches")
       ->check(CLI::Range(0, 10))
@@ -146,6 +147,12 @@ int CompileCommand::run() {
   options.scoring = scoring == "none"    ? Scoring::none
                     : scoring == "views" ? Scoring::views
                                          : Scoring::area;
+  if (std::filesystem::path(scene).extension() == ".toml") {
+    const Result<Project> project = read_project(scene);
+    if (!project) return fail(project.error());
+    scene = project.value().scene.string();
+    options.vision = project.value().vision;
+  }
   const Result<Scene> loaded = read_bob(scene);
   if (!loaded) return fail(loaded.error());
   for (const std::string& warning : loaded.value().warnings)

@@ -54,6 +54,7 @@ void add_options(CLI::App& app, RawOptions& raw) {
       ->check(CLI::Range(1, kMostViews).description(""))
       ->type_name("N");
   app.add_option("--seed", raw.options.seed, "of the viewpoints; the same for all objects [1]")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->type_name("N");
   app.add_option("--matching", raw.matching,
                  "match most contours, or of those the best scored [weighted]")

@@ -29,7 +29,7 @@ void add_ranks(const Evaluation& evaluation, std::size_t width, Text& out) {
   out.add("Rank of the right class, accumulated % of the views\n\n");
   out.add("{:{}}  {:>7}  {:>6}  {:>9}  {:>9} ", "", width, "", "", "", "");
   for (const char* head : {"without symmetry", "with symmetry"})
-    out.add("  {:^{}}", head, 6 * kReportedRanks.size());
+    out.add("  {:>{}}", head, 6 * kReportedRanks.size());
   out.add("\n{:{}}  {:>7}  {:>6}  {:>9}  {:>9} ", "object", width, "classes", "area %", "uncovered",
           "rotations");
   for (int twice = 0; twice < 2; ++twice) {

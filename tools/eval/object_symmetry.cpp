@@ -1,6 +1,7 @@
 #include "tools/eval/object_symmetry.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>

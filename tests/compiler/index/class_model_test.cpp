@@ -57,8 +57,8 @@ TEST_CASE("every contour of every view is of a type that its class knows by its 
   }
 }
 
-TEST_CASE("every external contour of every view of a cluster is a sample") {
-  const DescribedModel described = described_model("l_shape", 3);
+TEST_CASE("every external contour of every view of a cluster is a sample, and no hole is") {
+  const DescribedModel described = described_model("holeblock", 3);
   std::size_t wanted = 0;
   for (const Cluster& cluster : described.model.clusters)
     wanted += cluster.views.size() * cluster.contour_count;

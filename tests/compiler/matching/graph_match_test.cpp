@@ -225,6 +225,9 @@ TEST_CASE("contours that are no nodes do not count") {
   with_hole.contours.push_back(random_view(random, 1).contours.front());
   with_hole.contours.back().external = false;
   CHECK(match_graphs(view, with_hole, MatchScales{}, kAnyCost).cost < 1e-9);
+  const GraphMatch match = match_graphs(with_hole, view, MatchScales{}, kAnyCost);
+  CHECK(match.cost < 1e-9);
+  CHECK(match.mapping.size() == 3);
 }
 
 TEST_CASE("a search that would take for ever is cut short and says so") {

@@ -65,7 +65,7 @@ TEST_CASE("Pictures of every kind become colours of 8 bits") {
     return pixel(read_one(folder.write("a" + ending, encoded(picture, ending))));
   };
   const cv::Scalar colour(10, 20, 30, 0);
-  CHECK(first_pixel(cv::Mat(1, 1, CV_8UC3, colour), ".png") == std::array{10, 20, 30});
+  CHECK(first_pixel(cv::Mat(4, 4, CV_8UC3, colour), ".png") == std::array{10, 20, 30});
   CHECK(first_pixel(cv::Mat(4, 4, CV_8UC4, colour), ".png") == std::array{10, 20, 30});
   CHECK(first_pixel(cv::Mat(4, 4, CV_8UC1, cv::Scalar(77)), ".png") == std::array{77, 77, 77});
   CHECK(first_pixel(cv::Mat(4, 4, CV_16UC3, colour * 257), ".png") == std::array{10, 20, 30});
@@ -116,10 +116,10 @@ TEST_CASE("Pictures with damage inside are refused in one line") {
 
 TEST_CASE("Pictures too large are refused whatever their format") {
   const TemporaryFolder folder;
-  const cv::Mat wide(1, 8200, CV_8UC3, cv::Scalar(1, 2, 3));
+  const cv::Mat wide(4, 8200, CV_8UC3, cv::Scalar(1, 2, 3));
   for (const std::string ending : {".png", ".jpg", ".bmp", ".ppm", ".tiff"})
     CHECK_THAT(error_of(folder.write("wide" + ending, encoded(wide, ending))),
-               StartsWith("8200 x 1 px; at most 8192 px a side"));
+               StartsWith("8200 x 4 px; at most 8192 px a side"));
 }
 
 TEST_CASE("A folder gives its pictures in the order of their names") {

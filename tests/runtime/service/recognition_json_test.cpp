@@ -103,7 +103,7 @@ TEST_CASE("Hypotheses read back as they were") {
       const json& read = parsed["objects"][o]["hypotheses"][h];
       CHECK(read["object"] == made_up.indexes()[truth.index].object);
       CHECK(read["class"] == truth.class_id);
-      CHECK(read["score"].get<float>() == truth.score);
+      CHECK(read["score"].get<double>() == truth.score);
       CHECK(read["matched"] == truth.matched);
       CHECK(read["unmatched"] == truth.unmatched);
       CHECK(read["view"].get<Vector3>() == truth.view);

@@ -1,5 +1,8 @@
 #include "tools/eval/object_symmetry.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -11,14 +14,14 @@ namespace {
 
 Scene scene_of(const std::string& text, const std::string& at = "0 0 0") {
   const Result<Scene> scene =
-      parse_bob("studio { at " + at + " ambient 1 1 1 }\n" + text, "object.b");
+      parse_bob(fmt::format("studio {{ at {} ambient 1 1 1 }}\n{}", at, text), "object.b");
   INFO((scene.ok() ? "" : scene.error()));
   REQUIRE(scene.ok());
   return scene.value();
 }
 
 std::string colour(int k) {
-  return "surface { diffuse " + std::to_string(0.1 * (k + 1)) + " .5 .2 }\n";
+  return fmt::format("surface {{ diffuse {} .5 .2 }}\n", 0.1 * (k + 1));
 }
 
 // A block with faces of the colours given, in the order x, y, z and there plus and minus.
@@ -33,8 +36,7 @@ std::string block(double x, double y, double z, const std::array<int, 6>& colour
       corner[axis] = face % 2 == 0 ? half[axis] : -half[axis];
       corner[u] = a * half[u];
       corner[v] = b * half[v];
-      text += " vertex";
-      for (const double c : corner) text += " " + std::to_string(c);
+      text += fmt::format(" vertex {}", fmt::join(corner, " "));
     }
     text += " }\n";
   }
@@ -45,17 +47,16 @@ std::string prism(int sides) {
   std::string top, bottom, faces;
   const auto corner = [&](int k, double z) {
     const double angle = 2 * std::numbers::pi * k / sides;
-    return " vertex " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) +
-           " " + std::to_string(z);
+    return fmt::format(" vertex {:.6f} {:.6f} {}", std::cos(angle), std::sin(angle), z);
   };
   for (int k = 0; k < sides; ++k) {
     top += corner(k, .3);
     bottom += corner(k, -.3);
-    faces += "polygon { points 4" + corner(k, .3) + corner(k + 1, .3) + corner(k + 1, -.3) +
-             corner(k, -.3) + " }\n";
+    faces += fmt::format("polygon {{ points 4 {} {} {} {} }}\n", corner(k, .3), corner(k + 1, .3),
+                         corner(k + 1, -.3), corner(k, -.3));
   }
-  const std::string points = "polygon { points " + std::to_string(sides);
-  return colour(0) + points + top + " }\n" + points + bottom + " }\n" + colour(1) + faces;
+  return fmt::format("{}polygon {{ points {} {} }}\npolygon {{ points {} {} }}\n{}{}", colour(0),
+                     sides, top, sides, bottom, colour(1), faces);
 }
 
 std::size_t count_rotations(const std::string& text) {
