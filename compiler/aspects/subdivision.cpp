@@ -83,7 +83,9 @@ class Subdivider {
 
  private:
   bool stopped() const { return workshop_.stop != nullptr && workshop_.stop->load(); }
-  static Error interrupted() {
+  Error interrupted() const {
+    if (workshop_.store == nullptr)
+      return {"stopped before the index was complete; without a store nothing was kept"};
     return {"stopped before the index was complete; run the same command again to go on"};
   }
 

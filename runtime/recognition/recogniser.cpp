@@ -96,7 +96,10 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, const Blob& blob) 
   }
   const auto seen = std::span<const ContourFeature>(features).first(count);
   std::size_t candidates = shortlist(seen);
-  if (parameters_.ranking == RecogniserParameters::Ranking::views) fit_shortlist(seen, candidates);
+  if (parameters_.ranking == RecogniserParameters::Ranking::views) {
+    fit_shortlist(seen, candidates);
+    raise_neighbours(candidates);
+  }
   const auto list = candidates_.first(candidates);
   const std::size_t first = hypothesis_count_;
   const std::size_t reported = std::min({candidates, static_cast<std::size_t>(parameters_.top),
@@ -172,6 +175,27 @@ void Recogniser::fit_shortlist(std::span<const ContourFeature> features, std::si
     hypothesis.score = 1 / (1 + static_cast<double>(best.cost));
     hypothesis.view = mean.about(*best_view, best.cost);
     hypothesis.roll_rad = best.roll_rad;
+  }
+}
+
+// The best view is found to a few degrees, so that a class seen from near it may be the right one
+// however badly its own key views fit, as they do at its border.
+void Recogniser::raise_neighbours(std::size_t candidates) {
+  constexpr double kShare = 0.5, kReach_rad = 0.05;
+  const auto list = candidates_.first(candidates);
+  if (list.empty()) return;
+  const Hypothesis best = *std::min_element(list.begin(), list.end(), better);
+  const ClassIndex& index = indexes_[best.index];
+  for (Hypothesis& hypothesis : list) {
+    if (hypothesis.index != best.index) continue;
+    double nearest = -1;
+    const AspectClass& aspect = index.classes[hypothesis.class_id];
+    for (const KeyView& view : ClassIndex::part(index.key_views, aspect.key_views)) {
+      const Vector3 &a = view.direction, &b = best.view;
+      nearest = std::max(nearest, static_cast<double>(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]));
+    }
+    const double angle = std::acos(std::clamp(nearest, -1.0, 1.0));
+    hypothesis.score = std::max(hypothesis.score, kShare * best.score * std::exp(-angle / kReach_rad));
   }
 }
 

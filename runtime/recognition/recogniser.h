@@ -86,6 +86,7 @@ class Recogniser {
   SeenObject recognise_blob(const ViewGraph& graph, const Blob& blob);
   std::size_t shortlist(std::span<const ContourFeature> features);
   void fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates);
+  void raise_neighbours(std::size_t candidates);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 
   std::span<const ClassIndex> indexes_;

@@ -186,6 +186,28 @@ TEST_CASE("every number must be finite and every setting possible") {
              Contains("contour types of another kind"));
 }
 
+TEST_CASE("more contours than the runtime has room for are refused, whoever has them") {
+  const auto widen = [](const auto* list, Field first, Field count, auto number, std::size_t all) {
+    std::size_t next = 0;
+    for (flatbuffers::uoffset_t k = 0; k < list->size(); ++k) {
+      const std::size_t taken = k == 0 ? 49 : std::min<std::size_t>(1, all - next);
+      put(list, k, first, static_cast<std::uint32_t>(next));
+      put(list, k, count, static_cast<decltype(number)>(taken));
+      next += taken;
+    }
+  };
+  CHECK_THAT(error_after([&](schema::ClassIndex& root) {
+               widen(root.key_views(), Field::key_view_first_contour, Field::key_view_contour_count,
+                     std::uint16_t{}, root.key_contours()->size());
+             }),
+             Contains("a key view that points outside"));
+  CHECK_THAT(error_after([&](schema::ClassIndex& root) {
+               widen(root.classes(), Field::class_first_contour, Field::class_contour_count,
+                     std::uint32_t{}, root.class_contours()->size());
+             }),
+             Contains("a class that points outside"));
+}
+
 TEST_CASE("classes that share key views or contours are refused: they would multiply the work") {
   const std::string views = error_after([](schema::ClassIndex& root) {
     for (flatbuffers::uoffset_t k = 0; k < root.key_contours()->size(); ++k)

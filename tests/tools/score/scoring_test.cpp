@@ -110,19 +110,16 @@ TEST_CASE("Times are of the frames that show an object") {
 }
 
 TEST_CASE("Lines of aspect-replay are read") {
-  const auto lines = parse_results(
-      R"({"frame": "a.png", "sequence": 7, "elapsed_ms": 1.5, "objects": [
-)"
-      "",
-      "r");
-  REQUIRE_FALSE(lines.ok());
-  CHECK(lines.error().substr(0, 4) == "r:1:");
-  const auto good = parse_results(
-      R"({"frame":"a.png","sequence":7,"elapsed_ms":1.5,"objects":[{"box":[1,2,3,4],"hypotheses":[]},)"
-      R"({"box":[1,2,3,4],"verdict":"unknown","hypotheses":[{"object":"cube","view":[0,0,2]}]}]})"
-      "\n\n"
-      R"({"frame":"b.png","objects":[]})",
-      "r");
+  const auto cut_short = parse_results("\n{\"frame\": \"a.png\", \"objects\": [", "r");
+  REQUIRE_FALSE(cut_short.ok());
+  CHECK(cut_short.error().substr(0, 4) == "r:2:");
+  const auto good =
+      parse_results(R"({"frame":"a.png","sequence":7,"elapsed_ms":1.5,"objects":[)"
+                    R"({"box":[1,2,3,4],"hypotheses":[]},{"box":[1,2,3,4],"verdict":"unknown",)"
+                    R"("hypotheses":[{"object":"cube","view":[0,0,2]}]}]})"
+                    "\n\n"
+                    R"({"frame":"b.png","objects":[]})",
+                    "r");
   REQUIRE(good.ok());
   REQUIRE(good.value().size() == 2);
   const FoundFrame& frame = good.value()[0];
