@@ -20,7 +20,7 @@ struct CompileOptions {
   // Largest match cost at which the three views of a patch count as alike, in units of kCostUnit = 10000;
   // the second one holds when patches are clustered and must not be smaller. Higher: fewer, larger
   // patches and clusters, until different aspects merge.
-  double threshold = 30000;
+  double threshold = 10000;
   double cluster_threshold = 100000;
 
   // Clusters that cover less of the sphere than this are discarded as noise along the borders,

@@ -101,7 +101,7 @@ TEST_CASE("five kills at random moments, and the next run gives the undisturbed 
   const fs::path index = folder.path() / "l.aspect";
   std::mt19937 random(5);
   for (int round = 0; round < 5; ++round) {
-    const milliseconds moment(round % 2 == 0 ? random() % 800 : 1100 + random() % 200);
+    const milliseconds moment(round % 2 == 0 ? random() % 500 : 1050 + random() % 150);
     ChildProgram child(folder.path(), deep);
     const auto end = Clock::now() + moment;
     while (Clock::now() < end && !child.has_ended()) std::this_thread::sleep_for(milliseconds(1));

@@ -16,7 +16,7 @@ const std::vector<std::uint8_t> kBytes = {0, 10, 13, 255, 7};
 
 std::size_t file_count(const fs::path& folder) {
   std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(folder)) count += entry.exists() ? 1 : 0;
+  for (const auto& entry : fs::directory_iterator(folder)) count += entry.exists() ? 1U : 0U;
   return count;
 }
 
