@@ -14,7 +14,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+double seconds(Clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
 
 std::uint64_t hash_of(const std::string& text) {
   std::uint64_t hash = 0xCBF29CE484222325U;
@@ -77,9 +79,8 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
         scene.name, options.level)};
 
   const auto clustered_at = Clock::now();
-  const std::vector<TypeAttributes> types =
-      find_contour_types(contour_samples(subdivision, clusters),
-                         static_cast<std::size_t>(options.contour_types));
+  const std::vector<TypeAttributes> types = find_contour_types(
+      contour_samples(subdivision, clusters), static_cast<std::size_t>(options.contour_types));
   std::vector<ClassDescription> classes;
   for (const Cluster& cluster : clusters)
     classes.push_back(describe_class(subdivision, cluster, types, options.scoring));

@@ -9,8 +9,12 @@
 namespace aspect {
 namespace {
 
-std::size_t number(VertexId vertex) { return static_cast<std::size_t>(vertex); }
-std::size_t number(PatchId patch) { return static_cast<std::size_t>(patch); }
+std::size_t number(VertexId vertex) {
+  return static_cast<std::size_t>(vertex);
+}
+std::size_t number(PatchId patch) {
+  return static_cast<std::size_t>(patch);
+}
 
 // A known match between two views of a cluster, to carry names over.
 struct Link {
@@ -81,9 +85,9 @@ class Clustering {
         to = q;
       }
     }
-    GraphMatch found = match_graphs(subdivision_.views[number(from)],
-                                    subdivision_.views[number(to)], options_.match_scales,
-                                    options_.cluster_threshold);
+    GraphMatch found =
+        match_graphs(subdivision_.views[number(from)], subdivision_.views[number(to)],
+                     options_.match_scales, options_.cluster_threshold);
     if (!(found.cost <= options_.cluster_threshold)) return false;
     links[to].push_back({from, reversed(found)});
     links[from].push_back({to, std::move(found)});
@@ -98,8 +102,7 @@ class Clustering {
       for (const VertexId corner : patch(id).corners) weights[corner] += third;
     }
     for (const auto& [vertex, weight] : weights) cluster.views.push_back({vertex, weight, {}});
-    cluster.contour_count =
-        subdivision_.views[number(cluster.views.front().vertex)].external_count;
+    cluster.contour_count = subdivision_.views[number(cluster.views.front().vertex)].external_count;
   }
 
   // Carries the names of the first view from neighbour to neighbour through known matches.

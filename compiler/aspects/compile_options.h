@@ -17,9 +17,9 @@ struct CompileOptions {
   int min_level = 3;
   int level = 5;
 
-  // Largest match cost at which the three views of a patch count as alike, in units of kCostUnit = 10000;
-  // the second one holds when patches are clustered and must not be smaller. Higher: fewer, larger
-  // patches and clusters, until different aspects merge.
+  // Largest match cost at which the three views of a patch count as alike, in units of kCostUnit =
+  // 10000; the second one holds when patches are clustered and must not be smaller. Higher: fewer,
+  // larger patches and clusters, until different aspects merge.
   double threshold = 10000;
   double cluster_threshold = 100000;
 

@@ -15,8 +15,8 @@ struct RegionPoints {
 
 void add_run(const Run& run, const Picture& picture, const Intrinsics& camera,
              RegionPoints& points) {
-  const std::size_t row = static_cast<std::size_t>(run.row) *
-                          static_cast<std::size_t>(picture.width_px);
+  const std::size_t row =
+      static_cast<std::size_t>(run.row) * static_cast<std::size_t>(picture.width_px);
   const double slope_y = (run.row - camera.cy_px) / camera.fy_px;
   std::uint16_t surface = 0;
   std::uint32_t length = 0;
@@ -47,14 +47,7 @@ Observer::Observer(const Renderer& renderer, const Studio& studio,
                    const VisionParameters& parameters)
     : renderer_(&renderer), studio_(studio), parameters_(parameters) {
   parameters_.one_blob = true;
-  Arena count;
-  vision_.prepare(count, studio.width_px, studio.height_px);
-  memory_.resize(count.used_bytes() + 64);
-  void* first = memory_.data();
-  std::size_t space = memory_.size();
-  std::align(64, count.used_bytes(), first, space);
-  Arena arena({static_cast<std::byte*>(first), count.used_bytes()});
-  vision_.prepare(arena, studio.width_px, studio.height_px);
+  memory_.plan([&](Arena& arena) { vision_.prepare(arena, studio.width_px, studio.height_px); });
 }
 
 ObservedView Observer::observe(const Eigen::Vector3d& direction) {
@@ -97,8 +90,8 @@ void Observer::locate_contours(const Camera& camera, ObservedView& view) {
     ObservedContour& contour = view.contours[i];
     const Eigen::Vector3d centre_camera =
         Eigen::Vector3d(region.x, region.y, region.z) / std::max(region.pixels, 1.0);
-    const Eigen::Vector3d centre = camera.camera_from_object.transpose() * centre_camera +
-                                   camera.position_object;
+    const Eigen::Vector3d centre =
+        camera.camera_from_object.transpose() * centre_camera + camera.position_object;
     for (int axis = 0; axis < 3; ++axis)
       contour.centre_object[static_cast<std::size_t>(axis)] = static_cast<float>(centre[axis]);
     for (const auto& [surface, pixels] : region.surfaces)

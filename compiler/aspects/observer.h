@@ -3,11 +3,10 @@
 
 #include <Eigen/Core>
 #include <chrono>
-#include <cstddef>
-#include <vector>
 
 #include "compiler/matching/observed_view.h"
 #include "compiler/render/renderer.h"
+#include "runtime/base/planned_memory.h"
 #include "runtime/vision/vision.h"
 
 namespace aspect {
@@ -25,7 +24,7 @@ class Observer {
   const ViewGraph& graph() const { return graph_; }
   const RegionMap& regions() const { return vision_.regions(); }
 
-  std::chrono::nanoseconds render_time() const { return render_time_; }    // of all views so far
+  std::chrono::nanoseconds render_time() const { return render_time_; }  // of all views so far
   std::chrono::nanoseconds feature_time() const { return feature_time_; }
 
  private:
@@ -35,7 +34,7 @@ class Observer {
   Studio studio_;
   VisionParameters parameters_;
   Picture picture_;
-  std::vector<std::byte> memory_;
+  PlannedMemory memory_;
   Vision vision_;
   ViewGraph graph_;
   std::chrono::nanoseconds render_time_{}, feature_time_{};

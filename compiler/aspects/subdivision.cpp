@@ -17,7 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::size_t number(VertexId vertex) { return static_cast<std::size_t>(vertex); }
+std::size_t number(VertexId vertex) {
+  return static_cast<std::size_t>(vertex);
+}
 
 std::uint64_t pair_key(VertexId a, VertexId b) {
   const auto low = static_cast<std::uint64_t>(std::min(a, b));
@@ -35,20 +37,23 @@ struct DirectionHash {
     return hash;
   }
 };
-std::array<double, 3> key_of(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
+std::array<double, 3> key_of(const Eigen::Vector3d& d) {
+  return {d.x(), d.y(), d.z()};
+}
 
 // What a store held when it was opened.
 struct Remembered {
   std::unordered_map<std::array<double, 3>, ObservedView, DirectionHash> views;
-  std::unordered_map<std::array<double, 3>, std::unordered_map<std::array<double, 3>, GraphMatch, DirectionHash>,
-                     DirectionHash> matches;
+  std::unordered_map<std::array<double, 3>,
+                     std::unordered_map<std::array<double, 3>, GraphMatch, DirectionHash>,
+                     DirectionHash>
+      matches;
 };
 
 class Subdivider {
  public:
   explicit Subdivider(const Workshop& workshop)
-      : workshop_(workshop),
-        observers_([&workshop] {
+      : workshop_(workshop), observers_([&workshop] {
           return Observer(workshop.renderer, workshop.studio, workshop.options.vision);
         }) {}
 
@@ -91,10 +96,11 @@ class Subdivider {
 
   Result<Done> remember() {
     if (workshop_.store == nullptr) return Done{};
-    Result<Done> views = workshop_.store->each_view([&](const Eigen::Vector3d& direction, Store::Bytes bytes) {
-      if (std::optional<ObservedView> view = decode_view(direction, bytes))
-        remembered_.views.emplace(key_of(direction), std::move(*view));
-    });
+    Result<Done> views =
+        workshop_.store->each_view([&](const Eigen::Vector3d& direction, Store::Bytes bytes) {
+          if (std::optional<ObservedView> view = decode_view(direction, bytes))
+            remembered_.views.emplace(key_of(direction), std::move(*view));
+        });
     if (!views) return views;
     return workshop_.store->each_match([&](const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                            double cost, Store::Bytes bytes) {
@@ -195,7 +201,8 @@ class Subdivider {
 
   Result<Done> match_corners(const std::vector<PatchId>& patches) {
     std::vector<VertexPair> pairs = missing_pairs(patches);
-    std::erase_if(pairs, [this](const VertexPair& pair) { return recall(pair.first, pair.second); });
+    std::erase_if(pairs,
+                  [this](const VertexPair& pair) { return recall(pair.first, pair.second); });
     if (stopped()) return flush_and_stop();
     const CompileOptions& options = workshop_.options;
     std::vector<GraphMatch> matches(pairs.size());
@@ -213,9 +220,9 @@ class Subdivider {
       const auto [a, b] = pairs[i];
       if (matches[i].gave_up) ++result_.matches_gave_up;
       if (workshop_.store != nullptr) {
-        Result<Done> done = workshop_.store->add_match(
-            result_.sphere.position(a), result_.sphere.position(b), matches[i].cost,
-            encode_mapping(matches[i]));
+        Result<Done> done =
+            workshop_.store->add_match(result_.sphere.position(a), result_.sphere.position(b),
+                                       matches[i].cost, encode_mapping(matches[i]));
         if (!done) return done;
       }
       result_.matches.add(a, b, std::move(matches[i]));
@@ -256,6 +263,8 @@ bool is_uniform(const Subdivision& subdivision, const Patch& patch, double thres
          subdivision.matches.cost(c[2], c[0]) <= threshold;
 }
 
-Result<Subdivision> subdivide(const Workshop& workshop) { return Subdivider(workshop).run(); }
+Result<Subdivision> subdivide(const Workshop& workshop) {
+  return Subdivider(workshop).run();
+}
 
 }  // namespace aspect

@@ -51,7 +51,7 @@ struct Subdivision {
   std::size_t match_calls = 0;       // pairs of equal node counts that were asked for
   std::size_t matches_executed = 0;  // of those, computed in this run
   std::size_t matches_gave_up = 0;
-  std::size_t views_rendered = 0;    // in this run; the others came from the store
+  std::size_t views_rendered = 0;  // in this run; the others came from the store
   std::chrono::nanoseconds render_time{}, feature_time{}, match_time{};  // summed over threads
 };
 
@@ -63,8 +63,8 @@ struct Workshop {
   const Renderer& renderer;
   const Studio& studio;
   const CompileOptions& options;
-  Store* store = nullptr;              // null: nothing is kept
-  ShowProgress show_progress;          // may be empty
+  Store* store = nullptr;                   // null: nothing is kept
+  ShowProgress show_progress;               // may be empty
   const std::atomic<bool>* stop = nullptr;  // set by a signal: finish at the next chance
 };
 

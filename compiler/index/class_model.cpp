@@ -8,7 +8,9 @@
 namespace aspect {
 namespace {
 
-std::size_t number(VertexId vertex) { return static_cast<std::size_t>(vertex); }
+std::size_t number(VertexId vertex) {
+  return static_cast<std::size_t>(vertex);
+}
 
 double score_of(Scoring scoring, const ClusterView& view) {
   return scoring == Scoring::area ? view.weight : 1.0;

@@ -94,9 +94,8 @@ Attempt attempt(const std::vector<TypeAttributes>& samples, std::vector<TypeAttr
   std::vector<std::uint16_t> type_of(samples.size(), 0), before;
   for (int round = 0; round < kMostRounds && type_of != before; ++round) {
     before = type_of;
-    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-      type_of[i] = nearest_type(types, samples[i]);
-    });
+    tbb::parallel_for(std::size_t{0}, samples.size(),
+                      [&](std::size_t i) { type_of[i] = nearest_type(types, samples[i]); });
     move_to_means(samples, type_of, types);
   }
   double scatter = 0;

@@ -17,7 +17,9 @@ namespace fb = ::aspect::schema;
 constexpr double kFinestSpacing_deg = 5, kCoarsestSpacing_deg = 60, kSpacingStep = 1.15;
 constexpr std::size_t kMostMapBytes = 16 * 1024;
 
-std::size_t number(VertexId vertex) { return static_cast<std::size_t>(vertex); }
+std::size_t number(VertexId vertex) {
+  return static_cast<std::size_t>(vertex);
+}
 
 template <typename Integer>
 Integer packed(double value, double unit) {
@@ -36,11 +38,17 @@ fb::Direction packed_direction(const Eigen::Vector3d& d) {
 
 fb::KeyContour packed_contour(const ContourFeature& f, std::uint8_t name) {
   const Moments& m = f.moments;
-  return {packed_short(f.position.x, 8192), packed_short(f.position.y, 8192),
+  return {packed_short(f.position.x, 8192),
+          packed_short(f.position.y, 8192),
           packed<std::uint16_t>(static_cast<double>(f.area), 65535),
-          packed_short(m.xx, 4096), packed_short(m.xy, 4096), packed_short(m.yy, 4096),
-          packed_short(m.xxx, 16384), packed_short(m.xxy, 16384), packed_short(m.xyy, 16384),
-          packed_short(m.yyy, 16384), name};
+          packed_short(m.xx, 4096),
+          packed_short(m.xy, 4096),
+          packed_short(m.yy, 4096),
+          packed_short(m.xxx, 16384),
+          packed_short(m.xxy, 16384),
+          packed_short(m.xyy, 16384),
+          packed_short(m.yyy, 16384),
+          name};
 }
 
 struct Arrays {
@@ -53,7 +61,9 @@ struct Arrays {
 };
 
 void add_contour(const ContourDescription& c, Arrays& arrays) {
-  const auto share = [&](std::size_t channel) { return packed<std::uint8_t>(c.share[channel], 255); };
+  const auto share = [&](std::size_t channel) {
+    return packed<std::uint8_t>(c.share[channel], 255);
+  };
   // 16-bit places and an 8-bit count: what is beyond them is left out.
   std::size_t surface_count = std::min<std::size_t>(c.surfaces.size(), 255);
   if (arrays.surfaces.size() + surface_count > 65535) surface_count = 0;
@@ -80,13 +90,12 @@ Arrays fill_arrays(const IndexContents& contents, std::size_t class_count, doubl
                          spacing_deg * std::numbers::pi / 180);
     const Eigen::Vector3d& typical =
         contents.subdivision.sphere.position(cluster.views[description.typical_view].vertex);
-    arrays.classes.emplace_back(static_cast<std::uint32_t>(arrays.contours.size()),
-                                static_cast<std::uint32_t>(cluster.contour_count),
-                                static_cast<std::uint32_t>(arrays.key_views.size()),
-                                static_cast<std::uint32_t>(keys.size()),
-                                static_cast<float>(cluster.area_fraction),
-                                static_cast<std::uint32_t>(description.view_count),
-                                packed_direction(typical));
+    arrays.classes.emplace_back(
+        static_cast<std::uint32_t>(arrays.contours.size()),
+        static_cast<std::uint32_t>(cluster.contour_count),
+        static_cast<std::uint32_t>(arrays.key_views.size()),
+        static_cast<std::uint32_t>(keys.size()), static_cast<float>(cluster.area_fraction),
+        static_cast<std::uint32_t>(description.view_count), packed_direction(typical));
     for (const ContourDescription& contour : description.contours) add_contour(contour, arrays);
     for (const std::size_t key : keys) {
       const ClusterView& view = cluster.views[key];
@@ -126,23 +135,24 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
       static_cast<std::uint16_t>(v.intensity_step), static_cast<std::uint32_t>(v.area_min_px),
       v.thickness_min_px, v.smooth);
   std::vector<float> types;
-  for (const TypeAttributes& type : contents.types) types.insert(types.end(), type.begin(), type.end());
+  for (const TypeAttributes& type : contents.types)
+    types.insert(types.end(), type.begin(), type.end());
   const Studio& studio = contents.scene.studio;
   const auto root = fb::CreateClassIndex(
       builder, kIndexFormatVersion, 0, builder.CreateString(contents.scene.name), provenance,
-      segmentation, static_cast<fb::Scoring>(options.scoring),
-      static_cast<float>(studio.angle_deg), static_cast<std::uint16_t>(studio.width_px),
-      static_cast<std::uint16_t>(studio.height_px), static_cast<std::uint16_t>(kTypeDimensions),
-      builder.CreateVector(types), builder.CreateVectorOfStructs(arrays.classes),
-      builder.CreateVectorOfStructs(arrays.contours), builder.CreateVectorOfStructs(arrays.scores),
-      builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
+      segmentation, static_cast<fb::Scoring>(options.scoring), static_cast<float>(studio.angle_deg),
+      static_cast<std::uint16_t>(studio.width_px), static_cast<std::uint16_t>(studio.height_px),
+      static_cast<std::uint16_t>(kTypeDimensions), builder.CreateVector(types),
+      builder.CreateVectorOfStructs(arrays.classes), builder.CreateVectorOfStructs(arrays.contours),
+      builder.CreateVectorOfStructs(arrays.scores), builder.CreateVector(arrays.surfaces),
+      builder.CreateVectorOfStructs(arrays.key_views),
       builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map));
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
                                   builder.GetBufferPointer() + builder.GetSize());
   auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
-  const auto offset = static_cast<std::size_t>(
-      table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM) - bytes.data());
+  const auto offset =
+      static_cast<std::size_t>(table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM) - bytes.data());
   const std::uint64_t checksum = index_checksum(std::as_bytes(std::span(bytes)), offset);
   table->SetField(fb::ClassIndex::VT_CHECKSUM, checksum, std::uint64_t{0});
   return bytes;

@@ -23,9 +23,9 @@ struct IndexContents {
 
 struct WrittenIndex {
   std::vector<std::uint8_t> bytes;
-  std::size_t class_count = 0;     // fewer than were found where the budget demands it
+  std::size_t class_count = 0;  // fewer than were found where the budget demands it
   std::size_t key_view_count = 0;
-  double area_fraction = 0;        // of the classes kept
+  double area_fraction = 0;  // of the classes kept
   double key_view_spacing_deg = 0;
 };
 

@@ -18,7 +18,8 @@ class BitWriter {
   void put(std::uint32_t value, int bits) {
     for (int bit = bits - 1; bit >= 0; --bit) {
       if (used_ % 8 == 0) bytes.push_back(0);
-      bytes.back() = static_cast<std::uint8_t>(bytes.back() | ((value >> bit) & 1U) << (7 - used_ % 8));
+      bytes.back() =
+          static_cast<std::uint8_t>(bytes.back() | ((value >> bit) & 1U) << (7 - used_ % 8));
       ++used_;
     }
   }
@@ -48,8 +49,12 @@ class BitReader {
 };
 
 constexpr std::size_t kRoots = 20;
-PatchId root(std::size_t k) { return static_cast<PatchId>(k); }
-std::size_t number(PatchId patch) { return static_cast<std::size_t>(patch); }
+PatchId root(std::size_t k) {
+  return static_cast<PatchId>(k);
+}
+std::size_t number(PatchId patch) {
+  return static_cast<std::size_t>(patch);
+}
 
 struct Encoder {
   const ViewSphere& sphere;

@@ -15,7 +15,9 @@ namespace {
 // thesis's objects needs, so that only a graph of many equal contours ever meets it.
 constexpr std::size_t kMostTried = 20000;
 
-double square(double x) { return x * x; }
+double square(double x) {
+  return x * x;
+}
 
 // The squared difference of two attributes in steps of `scale`.
 double steps(float a, float b, double scale) {
@@ -28,12 +30,15 @@ double node_cost(const ContourFeature& a, const ContourFeature& b, const MatchSc
     cost += steps(a.share[channel], b.share[channel], scales.share);
   cost += steps(a.position.x, b.position.x, scales.position);
   cost += steps(a.position.y, b.position.y, scales.position);
-  const auto second = [&](float p, float q) { return steps(p * a.area, q * b.area, scales.second); };
+  const auto second = [&](float p, float q) {
+    return steps(p * a.area, q * b.area, scales.second);
+  };
   return cost + second(a.moments.xx, b.moments.xx) + 2 * second(a.moments.xy, b.moments.xy) +
          second(a.moments.yy, b.moments.yy);
 }
 
-// The angle, clockwise on the screen, by which the picture of b must be turned to stand as a's does.
+// The angle, clockwise on the screen, by which the picture of b must be turned to stand as a's
+// does.
 double roll_between(const ObservedView& a, const ObservedView& b) {
   const Eigen::Quaterniond along = Eigen::Quaterniond::FromTwoVectors(a.direction, b.direction);
   const Eigen::Vector3d right = along * a.right;
@@ -74,7 +79,8 @@ double arc_cost(const Arc& a, const Arc& b, const MatchScales& scales) {
   const bool directed =
       a.kind != Relation::Kind::superimposed && b.kind != Relation::Kind::superimposed;
   if (directed)
-    cost += square(std::max(direction_distance(a.direction, b.direction) - 1, 0) / scales.direction);
+    cost +=
+        square(std::max(direction_distance(a.direction, b.direction) - 1, 0) / scales.direction);
   return cost;
 }
 
@@ -83,8 +89,8 @@ struct Search {
   std::vector<double> nodes;  // n x n
   std::vector<Arc> arcs_a, arcs_b;
   const MatchScales& scales;
-  std::vector<std::size_t> order;      // contours of a, the most particular first
-  std::vector<double> least_from;      // least cost of the contours from a place in the order on
+  std::vector<std::size_t> order;  // contours of a, the most particular first
+  std::vector<double> least_from;  // least cost of the contours from a place in the order on
   std::vector<std::uint8_t> mapping, best_mapping;
   std::vector<bool> used;
   double best;

@@ -30,9 +30,9 @@ inline constexpr double kCostUnit = 10000;
 inline constexpr double kNoMatch = std::numeric_limits<double>::infinity();
 
 struct GraphMatch {
-  double cost = kNoMatch;              // kNoMatch: different node counts, or above give_up
-  std::vector<std::uint8_t> mapping;   // external contour of the first -> of the second
-  bool gave_up = false;                // the search was cut short; counted in the statistics
+  double cost = kNoMatch;             // kNoMatch: different node counts, or above give_up
+  std::vector<std::uint8_t> mapping;  // external contour of the first -> of the second
+  bool gave_up = false;               // the search was cut short; counted in the statistics
 };
 
 // The true optimum by branch and bound, if its cost is at most give_up. The bound of a partial

@@ -26,9 +26,9 @@ struct ObservedContour {
 };
 
 struct ObservedView {
-  Eigen::Vector3d direction{0, 0, 1};  // unit vector from the object's centre to the camera
-  Eigen::Vector3d right{1, 0, 0};      // the camera's x axis in object coordinates
-  float area_px = 0;                   // of the object's outline
+  Eigen::Vector3d direction{0, 0, 1};     // unit vector from the object's centre to the camera
+  Eigen::Vector3d right{1, 0, 0};         // the camera's x axis in object coordinates
+  float area_px = 0;                      // of the object's outline
   std::vector<ObservedContour> contours;  // external ones first
   std::vector<Relation> relations;        // between external contours
   std::size_t external_count = 0;         // nodes that matching works with

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/base/nearest_word.h"
 #include "compiler/scene/picture_fit.h"
 #include "compiler/scene/scene_bounds.h"
+#include "runtime/base/nearest_word.h"
 
 namespace aspect {
 

@@ -144,8 +144,7 @@ Problem unpack_key_views(const fb::ClassIndex& root, ClassIndex& index) {
   }
   Sequence contours(index.key_contours.size());
   for (const fb::KeyView* v : *root.key_views()) {
-    if (!contours.takes(v->first_contour(), v->contour_count()) ||
-        v->contour_count() > kMaxSide)
+    if (!contours.takes(v->first_contour(), v->contour_count()) || v->contour_count() > kMaxSide)
       return {"has a key view that points outside of it" + recompile()};
     index.key_views.push_back({unpack(v->direction()), {v->first_contour(), v->contour_count()}});
   }

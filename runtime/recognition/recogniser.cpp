@@ -195,7 +195,8 @@ void Recogniser::raise_neighbours(std::size_t candidates) {
       nearest = std::max(nearest, static_cast<double>(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]));
     }
     const double angle = std::acos(std::clamp(nearest, -1.0, 1.0));
-    hypothesis.score = std::max(hypothesis.score, kShare * best.score * std::exp(-angle / kReach_rad));
+    hypothesis.score =
+        std::max(hypothesis.score, kShare * best.score * std::exp(-angle / kReach_rad));
   }
 }
 

@@ -67,9 +67,9 @@ void print_index(const ClassIndex& index) {
   fmt::print("class  area %  views  keys  from                    contours (surfaces: types)\n");
   for (std::size_t c = 0; c < index.classes.size(); ++c) {
     const AspectClass& aspect = index.classes[c];
-    fmt::print("{:5}  {:6.3f}  {:5}  {:4}  {:+.3f} {:+.3f} {:+.3f} ", c,
-               100 * aspect.area_fraction, aspect.view_count, aspect.key_views.count,
-               aspect.view[0], aspect.view[1], aspect.view[2]);
+    fmt::print("{:5}  {:6.3f}  {:5}  {:4}  {:+.3f} {:+.3f} {:+.3f} ", c, 100 * aspect.area_fraction,
+               aspect.view_count, aspect.key_views.count, aspect.view[0], aspect.view[1],
+               aspect.view[2]);
     const auto contours = ClassIndex::part(index.class_contours, aspect.contours);
     for (std::size_t k = 0; k < contours.size(); ++k)
       fmt::print(" {}({}:{})", name_of(k),

@@ -22,9 +22,9 @@ ProgressLine::~ProgressLine() {
 
 std::string ProgressLine::text(const Progress& p) const {
   constexpr int kBarWidth = 24;
-  const double done = p.views_wanted == 0 ? 1.0
-                                          : static_cast<double>(p.views_done) /
-                                                static_cast<double>(p.views_wanted);
+  const double done = p.views_wanted == 0
+                          ? 1.0
+                          : static_cast<double>(p.views_done) / static_cast<double>(p.views_wanted);
   const double level_s = std::chrono::duration<double>(Clock::now() - level_start_).count();
   const double level_left_s = done > 0 ? level_s * (1 - done) / done : 0;
   // Past the first levels, patches along borders double from level to level.

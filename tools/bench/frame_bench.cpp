@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
@@ -18,12 +18,14 @@
 #include "compiler/compile.h"
 #include "compiler/render/renderer.h"
 #include "compiler/scene/bob_reader.h"
+#include "runtime/base/planned_memory.h"
 #include "runtime/recognition/recogniser.h"
 
 namespace aspect {
 namespace {
 
-const std::filesystem::path kData = std::filesystem::path(ASPECT_SOURCE_DIR) / "tests/data/rendered";
+const std::filesystem::path kData =
+    std::filesystem::path(ASPECT_SOURCE_DIR) / "tests/data/rendered";
 constexpr int kIndexLevel = 5;
 
 template <typename Value>
@@ -34,25 +36,6 @@ Value checked(Result<Value> result) {
   }
   return std::move(result).value();
 }
-
-// Memory for an object that plans with an arena.
-class Storage {
- public:
-  template <typename Prepare>
-  explicit Storage(Prepare&& prepare) {
-    Arena count;
-    prepare(count);
-    memory_.resize(count.used_bytes() + 64);
-    void* first = memory_.data();
-    std::size_t space = memory_.size();
-    std::align(64, count.used_bytes(), first, space);
-    Arena arena({static_cast<std::byte*>(first), count.used_bytes()});
-    prepare(arena);
-  }
-
- private:
-  std::vector<std::byte> memory_;
-};
 
 std::vector<cv::Mat> load_frames() {
   std::vector<std::filesystem::path> files;
@@ -74,8 +57,7 @@ void read_every_byte(benchmark::State& state) {
   std::size_t next = 0;
   for (auto _ : state) {
     const cv::Mat& frame = frames[next++ % frames.size()];
-    benchmark::DoNotOptimize(
-        std::accumulate(frame.datastart, frame.dataend, std::uint64_t{0}));
+    benchmark::DoNotOptimize(std::accumulate(frame.datastart, frame.dataend, std::uint64_t{0}));
   }
 }
 BENCHMARK(read_every_byte)->Unit(benchmark::kMillisecond);
@@ -83,10 +65,12 @@ BENCHMARK(read_every_byte)->Unit(benchmark::kMillisecond);
 void frame_to_graph(benchmark::State& state) {
   const std::vector<cv::Mat> frames = load_frames();
   Vision vision;
-  const Storage storage([&](Arena& arena) { vision.prepare(arena, 512, 512); });
+  PlannedMemory memory;
+  memory.plan([&](Arena& arena) { vision.prepare(arena, 512, 512); });
   std::size_t next = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(vision.run(frame_of(frames[next++ % frames.size()]), {}).contours.size());
+    benchmark::DoNotOptimize(
+        vision.run(frame_of(frames[next++ % frames.size()]), {}).contours.size());
 }
 BENCHMARK(frame_to_graph)->Unit(benchmark::kMillisecond);
 
@@ -109,8 +93,8 @@ void recognise_with_five_indexes(benchmark::State& state) {
   const std::vector<ClassIndex>& indexes = five_indexes();
   const std::vector<cv::Mat> frames = load_frames();
   Recogniser recogniser;
-  const Storage storage(
-      [&](Arena& arena) { recogniser.prepare(arena, indexes, {}, 512, 512); });
+  PlannedMemory memory;
+  memory.plan([&](Arena& arena) { recogniser.prepare(arena, indexes, {}, 512, 512); });
   std::size_t next = 0;
   for (auto _ : state)
     benchmark::DoNotOptimize(
@@ -135,7 +119,8 @@ void render_cube(benchmark::State& state) {
   const std::vector<Eigen::Vector3d> views = directions();
   Picture picture;
   std::size_t next = 0;
-  for (auto _ : state) renderer.render(camera_at(scene.studio, views[next++ % views.size()]), picture);
+  for (auto _ : state)
+    renderer.render(camera_at(scene.studio, views[next++ % views.size()]), picture);
 }
 BENCHMARK(render_cube)->Unit(benchmark::kMillisecond);
 

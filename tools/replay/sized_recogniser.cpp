@@ -9,14 +9,10 @@ void SizedRecogniser::make_room(int width_px, int height_px) {
   const int width = std::max(width_px, width_px_), height = std::max(height_px, height_px_);
   // Nothing is prepared any more should there be no memory now.
   width_px_ = height_px_ = 0;
-  storage_ = {};
+  memory_ = {};
   recogniser_ = {};
-
-  Arena counted;
-  Recogniser().prepare(counted, indexes_, parameters_, width, height);
-  storage_.resize((counted.used_bytes() + sizeof(Line) - 1) / sizeof(Line));
-  Arena arena(std::as_writable_bytes(std::span(storage_)));
-  recogniser_.prepare(arena, indexes_, parameters_, width, height);
+  memory_.plan(
+      [&](Arena& arena) { recogniser_.prepare(arena, indexes_, parameters_, width, height); });
   width_px_ = width;
   height_px_ = height;
 }

@@ -1,11 +1,9 @@
 // A recogniser with its memory, which grows where a larger frame comes.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
-#include <vector>
 
+#include "runtime/base/planned_memory.h"
 #include "runtime/recognition/recogniser.h"
 
 namespace aspect {
@@ -22,15 +20,10 @@ class SizedRecogniser {
   const RegionMap& regions() const { return recogniser_.regions(); }
 
  private:
-  // Arenas align to lines, counted from the beginning of their storage.
-  struct alignas(64) Line {
-    std::array<std::byte, 64> bytes;
-  };
-
   std::span<const ClassIndex> indexes_;
   RecogniserParameters parameters_;
   int width_px_ = 0, height_px_ = 0;
-  std::vector<Line> storage_;
+  PlannedMemory memory_;
   Recogniser recogniser_;
 };
 

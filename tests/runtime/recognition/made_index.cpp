@@ -50,14 +50,7 @@ MadeIndex made_index(std::size_t types, const std::vector<MadeClass>& classes) {
 }
 
 OwnedMatcher::OwnedMatcher(const ClassIndex& index) : index_(index) {
-  Arena counting;
-  matcher_.prepare(counting, {&index_, 1});
-  storage_.resize(counting.used_bytes() + 64);
-  void* first = storage_.data();
-  std::size_t space = storage_.size();
-  std::align(64, counting.used_bytes(), first, space);
-  Arena arena({static_cast<std::byte*>(first), space});
-  matcher_.prepare(arena, {&index_, 1});
+  memory_.plan([&](Arena& arena) { matcher_.prepare(arena, {&index_, 1}); });
 }
 
 ClassMatch OwnedMatcher::match(const std::vector<ContourFeature>& features, std::size_t class_id,

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/planned_memory.h"
 #include "runtime/recognition/class_match.h"
 
 namespace aspect {
@@ -35,7 +36,7 @@ class OwnedMatcher {
 
  private:
   const ClassIndex& index_;
-  std::vector<std::byte> storage_;
+  PlannedMemory memory_;
   ClassMatcher matcher_;
 };
 
