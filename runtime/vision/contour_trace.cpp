@@ -3,7 +3,7 @@
 // border first at a pixel whose west (external) or east (internal) neighbour is of another
 // region and was not passed by a trace before; the trace then walks the border once, looking
 // round each pixel for the next one. A region is surrounded by another when at least 95 % of the
-// labelled pixels met along its external border belong to that one.
+// pixels met along its external border belong to that one.
 #include "runtime/vision/contour_trace.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace aspect {
 namespace {
 
-constexpr std::uint8_t kOnBorder = 1, kEastSeen = 2;
+constexpr std::uint8_t kEastSeen = 1;
 constexpr int kMaxTraced = 2 * kMaxRegions;
 
 }  // namespace
@@ -59,7 +59,6 @@ std::uint16_t ContourTracer::label_at(const RegionMap& map, int x, int y) const 
 int ContourTracer::next_direction(const RegionMap& map, const Walk& walk,
                                   Surrounding& surrounding) {
   auto& seen = seen_[static_cast<std::size_t>(walk.y * map.stride_px + walk.x)];
-  seen |= kOnBorder;
   for (int turn = 1; turn <= 8; ++turn) {
     const int direction = (walk.from + turn) & 7;
     const std::uint16_t other =

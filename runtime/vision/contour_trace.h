@@ -41,7 +41,7 @@ class ContourTracer {
   bool trace(const RegionMap& map, int x, int y, bool external);
   std::uint16_t label_at(const RegionMap& map, int x, int y) const;
 
-  std::span<std::uint8_t> seen_;  // bit 0: on a traced border, bit 1: its east side was traced
+  std::span<std::uint8_t> seen_;  // kEastSeen: its east side was traced
   std::span<std::uint8_t> chains_;
   std::span<TracedContour> contours_;
   std::size_t chain_bytes_ = 0;
