@@ -16,12 +16,6 @@ constexpr int kMostRounds = 30;
 constexpr int kAttempts = 5;
 constexpr std::uint32_t kSeed = 20260101;
 
-float squared_distance(const TypeAttributes& a, const TypeAttributes& b) {
-  float sum = 0;
-  for (std::size_t d = 0; d < kTypeDimensions; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
-  return sum;
-}
-
 // One of each `step` neighbours, at random: views list their contours in a like order, and every
 // step-th sample would be the same contour again and again.
 std::vector<TypeAttributes> thinned(std::span<const TypeAttributes> samples) {
@@ -62,7 +56,7 @@ std::vector<TypeAttributes> starts(const std::vector<TypeAttributes>& samples, s
   Distances nearest(samples.size(), std::numeric_limits<float>::infinity());
   while (types.size() < count) {
     for (std::size_t i = 0; i < samples.size(); ++i)
-      nearest[i] = std::min(nearest[i], squared_distance(samples[i], types.back()));
+      nearest[i] = std::min(nearest[i], squared_type_distance(samples[i], types.back()));
     const double total = sum_of(nearest);
     if (!(total > 0)) break;
     types.push_back(samples[draw(nearest, total, random)]);
@@ -100,23 +94,11 @@ Attempt attempt(const std::vector<TypeAttributes>& samples, std::vector<TypeAttr
   }
   double scatter = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    scatter += static_cast<double>(squared_distance(samples[i], types[type_of[i]]));
+    scatter += static_cast<double>(squared_type_distance(samples[i], types[type_of[i]]));
   return {std::move(types), scatter};
 }
 
 }  // namespace
-
-std::uint16_t nearest_type(std::span<const TypeAttributes> types, const TypeAttributes& sample) {
-  std::uint16_t best = 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t k = 0; k < types.size(); ++k) {
-    const float distance = squared_distance(types[k], sample);
-    if (distance >= least) continue;
-    least = distance;
-    best = static_cast<std::uint16_t>(k);
-  }
-  return best;
-}
 
 std::vector<TypeAttributes> find_contour_types(std::span<const TypeAttributes> all,
                                                std::size_t count) {

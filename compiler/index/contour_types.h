@@ -16,7 +16,4 @@ namespace aspect {
 std::vector<TypeAttributes> find_contour_types(std::span<const TypeAttributes> samples,
                                                std::size_t count);
 
-// Ties go to the lower type.
-std::uint16_t nearest_type(std::span<const TypeAttributes> types, const TypeAttributes& sample);
-
 }  // namespace aspect

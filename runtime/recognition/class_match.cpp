@@ -2,26 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 namespace aspect {
 
 std::uint16_t nearest_type(const ClassIndex& index, const ContourFeature& feature) {
-  const TypeAttributes attributes = type_attributes(feature);
-  std::uint16_t best = 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t type = 0; type < index.types.size(); ++type) {
-    float squared = 0;
-    for (std::size_t d = 0; d < kTypeDimensions; ++d) {
-      const float difference = attributes[d] - index.types[type][d];
-      squared += difference * difference;
-    }
-    if (squared < least) {
-      least = squared;
-      best = static_cast<std::uint16_t>(type);
-    }
-  }
-  return best;
+  return nearest_type(index.types, type_attributes(feature));
 }
 
 void ClassMatcher::prepare(Arena& arena, std::span<const ClassIndex> indexes) {

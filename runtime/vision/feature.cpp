@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace aspect {
 
@@ -54,6 +55,24 @@ TypeAttributes type_attributes(const ContourFeature& feature) {
           std::hypot(feature.position.x, feature.position.y) / kDistance,
           spread / kSpread,
           asymmetry / kAsymmetry};
+}
+
+float squared_type_distance(const TypeAttributes& a, const TypeAttributes& b) {
+  float sum = 0;
+  for (std::size_t d = 0; d < kTypeDimensions; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
+  return sum;
+}
+
+std::uint16_t nearest_type(std::span<const TypeAttributes> types, const TypeAttributes& sample) {
+  std::uint16_t best = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 0; k < types.size(); ++k) {
+    const float distance = squared_type_distance(types[k], sample);
+    if (distance >= least) continue;
+    least = distance;
+    best = static_cast<std::uint16_t>(k);
+  }
+  return best;
 }
 
 }  // namespace aspect

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "runtime/vision/view_graph.h"
 
@@ -28,5 +30,9 @@ Moments turned(const Moments& moments, float cos_angle, float sin_angle);
 inline constexpr std::size_t kTypeDimensions = 7;
 using TypeAttributes = std::array<float, kTypeDimensions>;
 TypeAttributes type_attributes(const ContourFeature& feature);
+float squared_type_distance(const TypeAttributes& a, const TypeAttributes& b);
+
+// The contour type nearest to a sample; ties go to the lower type. O(types).
+std::uint16_t nearest_type(std::span<const TypeAttributes> types, const TypeAttributes& sample);
 
 }  // namespace aspect

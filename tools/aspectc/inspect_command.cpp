@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "runtime/recognition/class_index.h"
+#include "runtime/service/recognition_json.h"
 
 namespace aspect {
 namespace {
@@ -12,10 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string name_of(std::size_t contour) {
-  std::string name;
-  for (std::size_t rest = contour + 1; rest > 0; rest = (rest - 1) / 26)
-    name.insert(name.begin(), static_cast<char>('A' + (rest - 1) % 26));
-  return name;
+  std::array<char, 4> buffer;
+  return std::string(contour_name(static_cast<std::uint16_t>(contour), buffer));
 }
 
 Json contour_json(const ClassIndex& index, const ClassContour& contour, std::size_t place) {

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "tools/command_line/command_line.h"
+
 namespace aspect {
 namespace {
-
-constexpr int kUsageError = 2;
 
 constexpr const char* kDescription =
     "Repeats the thesis's experiments: renders objects from random viewpoints, recognises the "
@@ -85,13 +85,7 @@ std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* a
   app.set_version_flag("--version", "aspect-eval " ASPECT_VERSION);
   RawOptions raw;
   add_options(app, raw);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "aspect-eval: {}; see aspect-eval --help\n", error.what());
-    return kUsageError;
-  }
+  if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (raw.indexes.size() != raw.scenes.size()) {
     fmt::print(stderr,
                "aspect-eval: {} --index but {} --scene; give them in pairs, see aspect-eval "

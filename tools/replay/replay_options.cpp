@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <map>
 
+#include "tools/command_line/command_line.h"
+
 namespace aspect {
 namespace {
-
-constexpr int kUsageError = 2;
 
 constexpr const char* kDescription =
     "Recognises objects in recorded frames: one JSON object a line for each frame.";
@@ -127,13 +127,7 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_inputs(app, raw);
   add_recognition(app, raw);
   add_outputs(app, raw);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "aspect-replay: {}; see aspect-replay --help\n", error.what());
-    return kUsageError;
-  }
+  if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   return finished(std::move(raw));
 }
 

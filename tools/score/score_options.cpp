@@ -5,12 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "tools/command_line/command_line.h"
 #include "tools/score/truth_table.h"
 
 namespace aspect {
 namespace {
-
-constexpr int kUsageError = 2;
 
 constexpr const char* kDescription =
     "Scores the output of aspect-replay against the truth: how many objects are named right, and "
@@ -89,13 +88,7 @@ std::variant<ScoreOptions, int> parse_score_options(int argc, const char* const*
   app.set_version_flag("--version", "aspect-score " ASPECT_VERSION);
   ScoreOptions options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "aspect-score: {}; see aspect-score --help\n", error.what());
-    return kUsageError;
-  }
+  if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (options.sheet.has_value() != options.overlays.has_value()) {
     fmt::print(stderr, "aspect-score: --sheet and --overlays belong together; give both\n");
     return kUsageError;
