@@ -46,6 +46,27 @@ CompileStatistics statistics_of(const Scene& scene, const CompileOptions& option
   return s;
 }
 
+// Views and matches, by way of the store, which is complete and closed on return.
+Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
+                               const CompileOptions& options,
+                               const std::optional<std::filesystem::path>& store_path,
+                               const ShowProgress& show_progress, const std::atomic<bool>* stop) {
+  Result<Renderer> renderer = Renderer::create(scene);
+  if (!renderer) return Error{scene.name + ": " + renderer.error()};
+  if (!store_path)
+    return subdivide({renderer.value(), scene.studio, options, nullptr, show_progress, stop});
+  Result<Store> store = Store::open(*store_path, {fmt::format("{:016x}", scene_hash),
+                                                  options.store_key(), ASPECT_VERSION, scene.name});
+  if (!store) return Error{store.error()};
+  Result<Subdivision> subdivision =
+      subdivide({renderer.value(), scene.studio, options, &store.value(), show_progress, stop});
+  if (!subdivision) return subdivision;
+  const Result<Done> kept = store.value().add_finished_run(
+      {options.level, options.min_level, options.threshold, subdivision.value().views.size()});
+  if (!kept) return Error{kept.error()};
+  return subdivision;
+}
+
 }  // namespace
 
 Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
@@ -56,20 +77,18 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   const std::uint64_t scene_hash = hash_of(scene.source);
-  Result<Renderer> renderer = Renderer::create(scene);
-  if (!renderer) return Error{scene.name + ": " + renderer.error()};
-  std::optional<Store> store;
-  if (store_path) {
-    Result<Store> opened =
-        Store::open(*store_path, {fmt::format("{:016x}", scene_hash), options.store_key()});
-    if (!opened) return Error{opened.error()};
-    store = std::move(opened).value();
-  }
+  Progress progress;
+  const ShowProgress show = [&](const Progress& now) {
+    progress = now;
+    if (show_progress) show_progress(now);
+  };
+  const auto stopped = [stop] { return stop != nullptr && stop->load(); };
+  const Error interrupted = interruption(store_path.has_value());
 
-  Result<Subdivision> subdivided = subdivide(
-      {renderer.value(), scene.studio, options, store ? &*store : nullptr, show_progress, stop});
-  if (!subdivided) return Error{subdivided.error()};
-  const Subdivision& subdivision = subdivided.value();
+  const Result<Subdivision> subdivided_sphere =
+      subdivided(scene, scene_hash, options, store_path, show, stop);
+  if (!subdivided_sphere) return Error{subdivided_sphere.error()};
+  const Subdivision& subdivision = subdivided_sphere.value();
 
   const auto subdivided_at = Clock::now();
   const std::vector<Cluster> clusters = find_clusters(subdivision, options);
@@ -78,12 +97,18 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
         "{}: no patch of the viewing sphere is uniform at level {}; raise --level or --threshold",
         scene.name, options.level)};
 
+  if (stopped()) return interrupted;
+  progress.clusters = clusters.size();
+  show(progress);
+
   const auto clustered_at = Clock::now();
   const std::vector<TypeAttributes> types = find_contour_types(
       contour_samples(subdivision, clusters), static_cast<std::size_t>(options.contour_types));
   std::vector<ClassDescription> classes;
   for (const Cluster& cluster : clusters)
     classes.push_back(describe_class(subdivision, cluster, types, options.scoring));
+
+  if (stopped()) return interrupted;
 
   const auto typed_at = Clock::now();
   WrittenIndex index =
