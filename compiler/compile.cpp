@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include "compiler/aspects/border_classes.h"
 #include "compiler/aspects/clusters.h"
 #include "compiler/index/class_model.h"
 #include "compiler/index/contour_types.h"
@@ -33,17 +34,42 @@ CompileStatistics statistics_of(const Scene& scene, const CompileOptions& option
   s.threshold = options.threshold;
   s.cluster_threshold = options.cluster_threshold;
   s.triangles = subdivision.sphere.leaves().size();
-  s.views = subdivision.views.size();
+  s.views = subdivision.sphere.vertex_count();
+  s.border_views = subdivision.views.size() - s.views;
   s.views_rendered = subdivision.views_rendered;
   s.match_calls = subdivision.match_calls;
   s.matches_executed = subdivision.matches_executed;
   s.matches_gave_up = subdivision.matches_gave_up;
   s.clusters = clusters.size();
-  for (const Cluster& cluster : clusters) s.area_fraction += cluster.area_fraction;
+  for (const Cluster& cluster : clusters) {
+    s.area_fraction += cluster.area_fraction;
+    s.area_assigned += cluster.area_assigned;
+  }
   s.seconds.render = seconds(subdivision.render_time);
   s.seconds.features = seconds(subdivision.feature_time);
   s.seconds.match = seconds(subdivision.match_time);
   return s;
+}
+
+// Views and matches, by way of the store, which is complete and closed on return.
+Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
+                               const CompileOptions& options,
+                               const std::optional<std::filesystem::path>& store_path,
+                               const ShowProgress& show_progress, const std::atomic<bool>* stop) {
+  Result<Renderer> renderer = Renderer::create(scene);
+  if (!renderer) return Error{scene.name + ": " + renderer.error()};
+  if (!store_path)
+    return subdivide({renderer.value(), scene.studio, options, nullptr, show_progress, stop});
+  Result<Store> store = Store::open(*store_path, {fmt::format("{:016x}", scene_hash),
+                                                  options.store_key(), ASPECT_VERSION, scene.name});
+  if (!store) return Error{store.error()};
+  Result<Subdivision> subdivision =
+      subdivide({renderer.value(), scene.studio, options, &store.value(), show_progress, stop});
+  if (!subdivision) return subdivision;
+  const Result<Done> kept = store.value().add_finished_run(
+      {options.level, options.min_level, options.threshold, subdivision.value().views.size()});
+  if (!kept) return Error{kept.error()};
+  return subdivision;
 }
 
 }  // namespace
@@ -56,27 +82,31 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   const std::uint64_t scene_hash = hash_of(scene.source);
-  Result<Renderer> renderer = Renderer::create(scene);
-  if (!renderer) return Error{scene.name + ": " + renderer.error()};
-  std::optional<Store> store;
-  if (store_path) {
-    Result<Store> opened =
-        Store::open(*store_path, {fmt::format("{:016x}", scene_hash), options.store_key()});
-    if (!opened) return Error{opened.error()};
-    store = std::move(opened).value();
-  }
+  Progress progress;
+  const ShowProgress show = [&](const Progress& now) {
+    progress = now;
+    if (show_progress) show_progress(now);
+  };
+  const auto stopped = [stop] { return stop != nullptr && stop->load(); };
+  const Error interrupted = interruption(store_path.has_value());
 
-  Result<Subdivision> subdivided = subdivide(
-      {renderer.value(), scene.studio, options, store ? &*store : nullptr, show_progress, stop});
-  if (!subdivided) return Error{subdivided.error()};
-  const Subdivision& subdivision = subdivided.value();
+  const Result<Subdivision> subdivided_sphere =
+      subdivided(scene, scene_hash, options, store_path, show, stop);
+  if (!subdivided_sphere) return Error{subdivided_sphere.error()};
+  const Subdivision& subdivision = subdivided_sphere.value();
 
   const auto subdivided_at = Clock::now();
-  const std::vector<Cluster> clusters = find_clusters(subdivision, options);
+  std::vector<Cluster> clusters = find_clusters(subdivision, options);
   if (clusters.empty())
     return Error{fmt::format(
         "{}: no patch of the viewing sphere is uniform at level {}; raise --level or --threshold",
         scene.name, options.level)};
+
+  const SphereClasses sphere_classes = divide_borders(subdivision, options, clusters);
+
+  if (stopped()) return interrupted;
+  progress.clusters = clusters.size();
+  show(progress);
 
   const auto clustered_at = Clock::now();
   const std::vector<TypeAttributes> types = find_contour_types(
@@ -85,9 +115,11 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   for (const Cluster& cluster : clusters)
     classes.push_back(describe_class(subdivision, cluster, types, options.scoring));
 
+  if (stopped()) return interrupted;
+
   const auto typed_at = Clock::now();
-  WrittenIndex index =
-      write_index({scene, scene_hash, options, subdivision, clusters, classes, types});
+  WrittenIndex index = write_index(
+      {scene, scene_hash, options, subdivision, clusters, sphere_classes, classes, types});
 
   CompileStatistics s = statistics_of(scene, options, subdivision, clusters);
   s.clusters_in_index = index.class_count;
@@ -95,6 +127,7 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   s.key_view_spacing_deg = index.key_view_spacing_deg;
   s.contour_types = types.size();
   s.area_fraction_in_index = index.area_fraction;
+  s.area_assigned_in_index = index.area_assigned;
   s.index_bytes = index.bytes.size();
   s.threads = threads;
   s.seconds.cluster = seconds(clustered_at - subdivided_at);

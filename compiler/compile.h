@@ -23,11 +23,13 @@ struct CompileStatistics {
   std::string object;
   int level = 0;
   double threshold = 0, cluster_threshold = 0;
-  std::size_t triangles = 0;  // patches of the viewing sphere at completion
-  std::size_t views = 0;      // that the model was made from
+  std::size_t triangles = 0;     // patches of the viewing sphere at completion
+  std::size_t views = 0;         // at their corners
+  std::size_t border_views = 0;  // on edges between aspects
   std::size_t views_rendered = 0, match_calls = 0, matches_executed = 0, matches_gave_up = 0;
   std::size_t clusters = 0, clusters_in_index = 0, key_views = 0, contour_types = 0;
-  double area_fraction = 0, area_fraction_in_index = 0;
+  double area_fraction = 0, area_fraction_in_index = 0;  // in uniform patches, as in the thesis
+  double area_assigned = 0, area_assigned_in_index = 0;  // and in divided ones
   double key_view_spacing_deg = 0;
   std::size_t index_bytes = 0;
   int threads = 0;

@@ -78,7 +78,7 @@ class Clustering {
       for (const VertexId q : patch(b).corners) {
         if (p == q) return true;
         const double distance =
-            (subdivision_.sphere.position(p) - subdivision_.sphere.position(q)).squaredNorm();
+            (subdivision_.direction(p) - subdivision_.direction(q)).squaredNorm();
         if (distance >= nearest) continue;
         nearest = distance;
         from = p;

@@ -18,8 +18,9 @@ struct ClusterView {
 
 struct Cluster {
   std::vector<PatchId> patches;
-  std::vector<ClusterView> views;  // corners of the patches, by vertex
-  double area_fraction = 0;        // of the sphere
+  std::vector<ClusterView> views;  // corners of the patches, by vertex, then others
+  double area_fraction = 0;        // of the sphere, in its patches
+  double area_assigned = 0;        // and in pieces of patches on its border: see border_classes.h
   std::size_t contour_count = 0;
 };
 

@@ -30,8 +30,9 @@ struct CompileOptions {
   // Levels end where this share of the sphere is in uniform patches (thesis 3.3.2); 1: never.
   double stop_area = 1;
 
-  // Patches of the last level that straddle a border are divided along it.
-  bool divide_borders = true;
+  // Most views that are spent on dividing patches that straddle a border along it; 0: they are
+  // left out, as in the thesis. Objects of some ten surfaces need up to 20,000 at level 6.
+  int border_views = 20000;
 
   // Search time of one match, 0: any. What is cut short by it depends on the machine.
   double match_limit_ms = 0;

@@ -59,6 +59,7 @@ ObservedView Observer::observe(const Eigen::Vector3d& direction) {
   render_time_ += rendered - start;
   const Frame frame{picture_.rgb.data(), picture_.width_px, picture_.height_px,
                     3 * static_cast<std::ptrdiff_t>(picture_.width_px), PixelFormat::rgb8};
+  parameters_.region_of_interest = picture_.foreground;
   graph_ = vision_.run(frame, parameters_);
   ObservedView view;
   view.direction = direction;

@@ -4,243 +4,71 @@
 // only where both have equally many nodes.
 #include "compiler/aspects/subdivision.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numbers>
 
-#include "compiler/aspects/view_codec.h"
+#include "compiler/aspects/borders.h"
+#include "compiler/aspects/observations.h"
 
 namespace aspect {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-std::size_t number(VertexId vertex) {
-  return static_cast<std::size_t>(vertex);
+Result<Done> examine(const std::vector<PatchId>& patches, const Subdivision& found,
+                     Observations& observations) {
+  std::vector<Observations::Wanted> views;
+  std::vector<ViewPair> pairs;
+  for (const PatchId id : patches) {
+    const auto& c = found.sphere.patch(id).corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      views.push_back({c[k], found.sphere.position(c[k])});
+      pairs.emplace_back(c[k], c[(k + 1) % 3]);
+    }
+  }
+  if (Result<Done> done = observations.observe(views); !done) return done;
+  return observations.match(pairs);
 }
+
+double share_of_sphere(const ViewSphere& sphere, PatchId patch) {
+  return sphere.area_sr(patch) / (4 * std::numbers::pi);
+}
+
+std::vector<PatchId> split_all(const std::vector<PatchId>& patches, ViewSphere& sphere) {
+  std::vector<PatchId> children;
+  for (const PatchId id : patches) {
+    sphere.split(id);
+    const Patch& split = sphere.patch(id);
+    children.insert(children.end(), split.children.begin(), split.children.end());
+  }
+  return children;
+}
+
+Result<Done> split_by_levels(const CompileOptions& options, Subdivision& found,
+                             Observations& observations) {
+  std::vector<PatchId> patches = found.sphere.leaves();
+  for (int level = 0;; ++level) {
+    if (level >= options.min_level) {
+      observations.progress.level = level;
+      if (Result<Done> done = examine(patches, found, observations); !done) return done;
+      double& accepted = observations.progress.area_accepted;
+      std::erase_if(patches, [&](PatchId id) {
+        if (!is_uniform(found, found.sphere.patch(id), options.threshold)) return false;
+        accepted += share_of_sphere(found.sphere, id);
+        return true;
+      });
+      if (accepted >= options.stop_area) return Done{};
+    }
+    if (level == options.level) return Done{};
+    patches = split_all(patches, found.sphere);
+  }
+}
+
+}  // namespace
 
 std::uint64_t pair_key(VertexId a, VertexId b) {
   const auto low = static_cast<std::uint64_t>(std::min(a, b));
   const auto high = static_cast<std::uint64_t>(std::max(a, b));
   return low << 32U | high;
 }
-
-using VertexPair = std::pair<VertexId, VertexId>;
-
-// Directions as map keys, by their bits.
-struct DirectionHash {
-  std::size_t operator()(const std::array<double, 3>& d) const {
-    std::size_t hash = 0;
-    for (const double x : d) hash = hash * 1000003U ^ std::hash<double>{}(x);
-    return hash;
-  }
-};
-std::array<double, 3> key_of(const Eigen::Vector3d& d) {
-  return {d.x(), d.y(), d.z()};
-}
-
-// What a store held when it was opened.
-struct Remembered {
-  std::unordered_map<std::array<double, 3>, ObservedView, DirectionHash> views;
-  std::unordered_map<std::array<double, 3>,
-                     std::unordered_map<std::array<double, 3>, GraphMatch, DirectionHash>,
-                     DirectionHash>
-      matches;
-};
-
-class Subdivider {
- public:
-  explicit Subdivider(const Workshop& workshop)
-      : workshop_(workshop), observers_([&workshop] {
-          return Observer(workshop.renderer, workshop.studio, workshop.options.vision);
-        }) {}
-
-  Result<Subdivision> run() {
-    if (Result<Done> done = remember(); !done) return Error{done.error()};
-    const CompileOptions& options = workshop_.options;
-    std::vector<PatchId> patches = result_.sphere.leaves();
-    for (int level = 0; level <= options.level; ++level) {
-      if (level >= options.min_level) {
-        if (Result<Done> done = examine(patches, level); !done) return Error{done.error()};
-      }
-      if (level == options.level || progress_.area_accepted >= options.stop_area) break;
-      std::vector<PatchId> next;
-      for (const PatchId id : patches) {
-        if (level >= options.min_level &&
-            is_uniform(result_, result_.sphere.patch(id), options.threshold)) {
-          progress_.area_accepted += result_.sphere.area_sr(id) / (4 * std::numbers::pi);
-          continue;
-        }
-        result_.sphere.split(id);
-        const Patch& split = result_.sphere.patch(id);
-        next.insert(next.end(), split.children.begin(), split.children.end());
-      }
-      patches = std::move(next);
-    }
-    for (const Observer& observer : observers_) {
-      result_.render_time += observer.render_time();
-      result_.feature_time += observer.feature_time();
-    }
-    return std::move(result_);
-  }
-
- private:
-  bool stopped() const { return workshop_.stop != nullptr && workshop_.stop->load(); }
-  Error interrupted() const {
-    if (workshop_.store == nullptr)
-      return {"stopped before the index was complete; without a store nothing was kept"};
-    return {"stopped before the index was complete; run the same command again to go on"};
-  }
-
-  Result<Done> remember() {
-    if (workshop_.store == nullptr) return Done{};
-    Result<Done> views =
-        workshop_.store->each_view([&](const Eigen::Vector3d& direction, Store::Bytes bytes) {
-          if (std::optional<ObservedView> view = decode_view(direction, bytes))
-            remembered_.views.emplace(key_of(direction), std::move(*view));
-        });
-    if (!views) return views;
-    return workshop_.store->each_match([&](const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                           double cost, Store::Bytes bytes) {
-      remembered_.matches[key_of(from)][key_of(to)] = decode_match(cost, bytes);
-    });
-  }
-
-  Result<Done> examine(const std::vector<PatchId>& patches, int level) {
-    progress_.level = level;
-    if (Result<Done> done = observe_corners(patches); !done) return done;
-    return match_corners(patches);
-  }
-
-  Result<Done> observe_corners(const std::vector<PatchId>& patches) {
-    std::vector<VertexId> missing;
-    result_.views.resize(result_.sphere.vertex_count());
-    observed_.resize(result_.sphere.vertex_count(), false);
-    for (const PatchId id : patches) {
-      for (const VertexId corner : result_.sphere.patch(id).corners) {
-        if (observed_[number(corner)]) continue;
-        observed_[number(corner)] = true;
-        const auto known = remembered_.views.find(key_of(result_.sphere.position(corner)));
-        if (known != remembered_.views.end())
-          result_.views[number(corner)] = std::move(known->second);
-        else
-          missing.push_back(corner);
-      }
-    }
-    progress_.views_wanted = missing.size();
-    progress_.views_done = 0;
-    // In portions, so that the store falls behind by little and Ctrl-C is heard soon.
-    constexpr std::size_t kPortion = 64;
-    for (std::size_t first = 0; first < missing.size(); first += kPortion) {
-      if (stopped()) return flush_and_stop();
-      const std::size_t end = std::min(first + kPortion, missing.size());
-      tbb::parallel_for(first, end, [&](std::size_t i) {
-        result_.views[number(missing[i])] =
-            observers_.local().observe(result_.sphere.position(missing[i]));
-      });
-      for (std::size_t i = first; i < end && workshop_.store != nullptr; ++i) {
-        const ObservedView& view = result_.views[number(missing[i])];
-        if (Result<Done> done = workshop_.store->add_view(view.direction, encode_view(view)); !done)
-          return done;
-      }
-      progress_.views_done = end;
-      progress_.views_total = result_.views_rendered += end - first;
-      if (workshop_.show_progress) workshop_.show_progress(progress_);
-    }
-    return Done{};
-  }
-
-  Result<Done> flush_and_stop() {
-    if (workshop_.store != nullptr)
-      if (Result<Done> done = workshop_.store->flush(); !done) return done;
-    return interrupted();
-  }
-
-  // Pairs of corners with equally many nodes that were not matched yet.
-  std::vector<VertexPair> missing_pairs(const std::vector<PatchId>& patches) {
-    std::vector<VertexPair> pairs;
-    for (const PatchId id : patches) {
-      const auto& c = result_.sphere.patch(id).corners;
-      for (const VertexPair& pair : {VertexPair{c[0], c[1]}, {c[1], c[2]}, {c[2], c[0]}}) {
-        const auto [a, b] = std::minmax(pair.first, pair.second);
-        const ObservedView &va = result_.views[number(a)], &vb = result_.views[number(b)];
-        if (va.external_count == 0 || va.external_count != vb.external_count) continue;
-        ++result_.match_calls;
-        if (asked_.emplace(pair_key(a, b), true).second) pairs.emplace_back(a, b);
-      }
-    }
-    return pairs;
-  }
-
-  // A mapping from a store is used only where it is one.
-  bool fits(const GraphMatch& match, VertexId a) const {
-    const std::size_t n = result_.views[number(a)].external_count;
-    if (match.mapping.empty()) return match.cost == kNoMatch;
-    std::vector<bool> met(n, false);
-    for (const std::uint8_t k : match.mapping) {
-      if (k >= n || met[k]) return false;
-      met[k] = true;
-    }
-    return match.mapping.size() == n;
-  }
-
-  bool recall(VertexId a, VertexId b) {
-    const auto from = key_of(result_.sphere.position(a)), to = key_of(result_.sphere.position(b));
-    for (const bool forward : {true, false}) {
-      const auto row = remembered_.matches.find(forward ? from : to);
-      if (row == remembered_.matches.end()) continue;
-      const auto match = row->second.find(forward ? to : from);
-      if (match == row->second.end() || !fits(match->second, a)) continue;
-      result_.matches.add(a, b, forward ? match->second : reversed(match->second));
-      return true;
-    }
-    return false;
-  }
-
-  Result<Done> match_corners(const std::vector<PatchId>& patches) {
-    std::vector<VertexPair> pairs = missing_pairs(patches);
-    std::erase_if(pairs,
-                  [this](const VertexPair& pair) { return recall(pair.first, pair.second); });
-    if (stopped()) return flush_and_stop();
-    const CompileOptions& options = workshop_.options;
-    std::vector<GraphMatch> matches(pairs.size());
-    tbb::enumerable_thread_specific<std::chrono::nanoseconds> times;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size()), [&](const auto& range) {
-      const auto start = Clock::now();
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-        matches[i] = match_graphs(result_.views[number(pairs[i].first)],
-                                  result_.views[number(pairs[i].second)], options.match_scales,
-                                  options.match_limits());
-      times.local() += Clock::now() - start;
-    });
-    for (const std::chrono::nanoseconds time : times) result_.match_time += time;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto [a, b] = pairs[i];
-      if (matches[i].gave_up) ++result_.matches_gave_up;
-      if (workshop_.store != nullptr) {
-        Result<Done> done =
-            workshop_.store->add_match(result_.sphere.position(a), result_.sphere.position(b),
-                                       matches[i].cost, encode_mapping(matches[i]));
-        if (!done) return done;
-      }
-      result_.matches.add(a, b, std::move(matches[i]));
-    }
-    result_.matches_executed += pairs.size();
-    return Done{};
-  }
-
-  const Workshop& workshop_;
-  Subdivision result_;
-  Progress progress_;
-  Remembered remembered_;
-  std::vector<bool> observed_;
-  std::unordered_map<std::uint64_t, bool> asked_;
-  tbb::enumerable_thread_specific<Observer> observers_;
-};
-
-}  // namespace
 
 const GraphMatch* MatchTable::find(VertexId a, VertexId b) const {
   const auto found = matches_.find(pair_key(a, b));
@@ -263,8 +91,21 @@ bool is_uniform(const Subdivision& subdivision, const Patch& patch, double thres
          subdivision.matches.cost(c[2], c[0]) <= threshold;
 }
 
+Error interruption(bool is_kept) {
+  if (!is_kept) return {"stopped before the index was complete; without a store nothing was kept"};
+  return {"stopped before the index was complete; run the same command again to go on"};
+}
+
 Result<Subdivision> subdivide(const Workshop& workshop) {
-  return Subdivider(workshop).run();
+  Subdivision found;
+  Observations observations(workshop, found);
+  if (Result<Done> done = observations.remember(); !done) return Error{done.error()};
+  if (Result<Done> done = split_by_levels(workshop.options, found, observations); !done)
+    return Error{done.error()};
+  if (Result<Done> done = find_borders(workshop.options, found, observations); !done)
+    return Error{done.error()};
+  observations.add_times();
+  return found;
 }
 
 }  // namespace aspect

@@ -21,8 +21,10 @@ namespace aspect {
 
 struct Progress {
   int level = 0;
-  std::size_t views_done = 0, views_wanted = 0;  // of this level
-  std::size_t views_total = 0;
+  std::size_t views_of_level = 0;                    // new at this level, from a store or not
+  std::size_t views_done = 0, views_wanted = 0;      // of those, to be rendered
+  std::size_t matches_done = 0, matches_wanted = 0;  // of this level; none before the views are
+  std::size_t views_total = 0;                       // rendered in this run
   double area_accepted = 0;  // share of the sphere in accepted patches so far
   std::size_t clusters = 0;  // once known
 };
@@ -44,15 +46,31 @@ class MatchTable {
   std::unordered_map<std::uint64_t, GraphMatch> matches_;
 };
 
+// One number for a pair of views, whichever comes first.
+std::uint64_t pair_key(VertexId a, VertexId b);
+
+// A view taken on the edge between two corners.
+struct EdgeView {
+  double place = 0;  // 0 at the corner with the lower number, 1 at the other
+  VertexId view{};
+};
+
 struct Subdivision {
   ViewSphere sphere;
-  std::vector<ObservedView> views;  // by vertex
+  // By vertex; those on edges follow, numbered as if they were vertices too.
+  std::vector<ObservedView> views;
   MatchTable matches;
+  // By pair_key of the edge's corners, in order of their places: see borders.h.
+  std::unordered_map<std::uint64_t, std::vector<EdgeView>> edge_views;
   std::size_t match_calls = 0;       // pairs of equal node counts that were asked for
   std::size_t matches_executed = 0;  // of those, computed in this run
   std::size_t matches_gave_up = 0;
   std::size_t views_rendered = 0;  // in this run; the others came from the store
   std::chrono::nanoseconds render_time{}, feature_time{}, match_time{};  // summed over threads
+
+  const Eigen::Vector3d& direction(VertexId view) const {
+    return views[static_cast<std::size_t>(view)].direction;
+  }
 };
 
 // The corners of a patch match each other within a threshold.
@@ -67,6 +85,9 @@ struct Workshop {
   ShowProgress show_progress;               // may be empty
   const std::atomic<bool>* stop = nullptr;  // set by a signal: finish at the next chance
 };
+
+// What there is to say when `stop` was set; kept: in a store.
+Error interruption(bool is_kept);
 
 // Same result for any number of threads. An error where the store fails or `stop` was set.
 Result<Subdivision> subdivide(const Workshop& workshop);

@@ -31,11 +31,11 @@ std::vector<std::uint16_t> main_surfaces(const std::map<std::uint16_t, double>& 
 std::size_t nearest_to_mean(const Subdivision& subdivision, const Cluster& cluster) {
   Eigen::Vector3d mean(0, 0, 0);
   for (const ClusterView& view : cluster.views)
-    mean += view.weight * subdivision.sphere.position(view.vertex);
+    mean += view.weight * subdivision.direction(view.vertex);
   std::size_t best = 0;
   double most = -2;
   for (std::size_t i = 0; i < cluster.views.size(); ++i) {
-    const double along = mean.dot(subdivision.sphere.position(cluster.views[i].vertex));
+    const double along = mean.dot(subdivision.direction(cluster.views[i].vertex));
     if (along <= most) continue;
     most = along;
     best = i;
@@ -88,7 +88,7 @@ ClassDescription describe_class(const Subdivision& subdivision, const Cluster& c
 std::vector<std::size_t> choose_key_views(const Subdivision& subdivision, const Cluster& cluster,
                                           std::size_t typical_view, double spacing_rad) {
   const auto position = [&](std::size_t i) -> const Eigen::Vector3d& {
-    return subdivision.sphere.position(cluster.views[i].vertex);
+    return subdivision.direction(cluster.views[i].vertex);
   };
   std::vector<double> distance(cluster.views.size(), 4);
   std::vector<std::size_t> chosen{typical_view};

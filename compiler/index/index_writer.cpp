@@ -89,7 +89,7 @@ Arrays fill_arrays(const IndexContents& contents, std::size_t class_count, doubl
         choose_key_views(contents.subdivision, cluster, description.typical_view,
                          spacing_deg * std::numbers::pi / 180);
     const Eigen::Vector3d& typical =
-        contents.subdivision.sphere.position(cluster.views[description.typical_view].vertex);
+        contents.subdivision.direction(cluster.views[description.typical_view].vertex);
     arrays.classes.emplace_back(
         static_cast<std::uint32_t>(arrays.contours.size()),
         static_cast<std::uint32_t>(cluster.contour_count),
@@ -111,11 +111,7 @@ Arrays fill_arrays(const IndexContents& contents, std::size_t class_count, doubl
 }
 
 std::vector<std::uint8_t> map_of(const IndexContents& contents, std::size_t class_count) {
-  std::vector<std::int32_t> class_of(contents.subdivision.sphere.patch_count(), kNoClass);
-  for (std::size_t c = 0; c < class_count; ++c)
-    for (const PatchId patch : contents.clusters[c].patches)
-      class_of[static_cast<std::size_t>(patch)] = static_cast<std::int32_t>(c);
-  return encode_sphere_map_within(contents.subdivision.sphere, class_of, class_count,
+  return encode_sphere_map_within(contents.subdivision.sphere, contents.sphere_classes, class_count,
                                   std::min(kMostMapBytes, contents.options.max_index_bytes / 4));
 }
 
@@ -174,8 +170,10 @@ WrittenIndex write_index(const IndexContents& contents) {
     else
       written.class_count -= std::max<std::size_t>(written.class_count / 20, 1);
   }
-  for (const Cluster& cluster : contents.clusters.first(written.class_count))
+  for (const Cluster& cluster : contents.clusters.first(written.class_count)) {
     written.area_fraction += cluster.area_fraction;
+    written.area_assigned += cluster.area_assigned;
+  }
   return written;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/aspects/border_classes.h"
 #include "compiler/index/class_model.h"
 #include "compiler/scene/scene.h"
 
@@ -17,6 +18,7 @@ struct IndexContents {
   const CompileOptions& options;
   const Subdivision& subdivision;
   std::span<const Cluster> clusters;
+  const SphereClasses& sphere_classes;
   std::span<const ClassDescription> classes;  // one a cluster
   std::span<const TypeAttributes> types;
 };
@@ -25,7 +27,7 @@ struct WrittenIndex {
   std::vector<std::uint8_t> bytes;
   std::size_t class_count = 0;  // fewer than were found where the budget demands it
   std::size_t key_view_count = 0;
-  double area_fraction = 0;  // of the classes kept
+  double area_fraction = 0, area_assigned = 0;  // of the classes kept
   double key_view_spacing_deg = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "compiler/index/sphere_map.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace aspect {
 namespace {
@@ -56,21 +58,92 @@ std::size_t number(PatchId patch) {
   return static_cast<std::size_t>(patch);
 }
 
+// Classes are sampled in the middle of these steps round a patch, this far inside it.
+constexpr int kSteps = 16, kRound = 3 * kSteps, kPlaceBits = 6;
+constexpr double kInside = 0.01;
+constexpr std::size_t kFewestPieces = 2, kMostPieces = 5;
+constexpr int kPieceBits = 2;
+constexpr std::int32_t kMixed = -2;
+
+Eigen::Vector3d direction_at(const ViewSphere& sphere, const Patch& patch, double place) {
+  const auto edge = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(edge);
+  Eigen::Vector3d weights(kInside, kInside, kInside);
+  weights[static_cast<Eigen::Index>(edge)] += 1 - share;
+  weights[static_cast<Eigen::Index>((edge + 1) % 3)] += share;
+  Eigen::Vector3d direction(0, 0, 0);
+  for (std::size_t k = 0; k < 3; ++k)
+    direction += weights[static_cast<Eigen::Index>(k)] * sphere.position(patch.corners[k]);
+  return direction;
+}
+
+// Gives the pieces with the shortest stretch of edge to those before them.
+void drop_shortest(PatchDivision& division) {
+  while (division.places.size() > kMostPieces) {
+    std::size_t shortest = 0;
+    double least = 3;
+    for (std::size_t k = 0; k < division.places.size(); ++k) {
+      const bool last = k + 1 == division.places.size();
+      const double length =
+          (last ? division.places[0] + 3 : division.places[k + 1]) - division.places[k];
+      if (length >= least) continue;
+      least = length;
+      shortest = k;
+    }
+    division.places.erase(division.places.begin() + static_cast<std::ptrdiff_t>(shortest));
+    division.classes.erase(division.classes.begin() + static_cast<std::ptrdiff_t>(shortest));
+    division = joined(division);
+  }
+}
+
 struct Encoder {
   const ViewSphere& sphere;
-  std::span<const std::int32_t> class_of;
-  int bits;
+  const SphereClasses& classes;
+  std::size_t class_count;
   int level;
-  BitWriter out;
+  int bits = class_bits(class_count);
+  BitWriter out{};
   std::int32_t last = kNoClass;
 
+  std::int32_t kept(std::int32_t class_id) const {
+    return class_id >= static_cast<std::int32_t>(class_count) ? kNoClass : class_id;
+  }
+
+  // kMixed where there is none.
   std::int32_t common_class(PatchId id) const {
     const Patch& patch = sphere.patch(id);
-    if (!patch.split) return class_of[number(id)];
+    if (!patch.split)
+      return classes.divisions.count(static_cast<std::uint32_t>(id)) > 0
+                 ? kMixed
+                 : kept(classes.class_of[number(id)]);
     const std::int32_t first = common_class(patch.children[0]);
     for (const PatchId child : patch.children)
-      if (common_class(child) != first) return kNoClass;
+      if (common_class(child) != first) return kMixed;
     return first;
+  }
+
+  PatchDivision sampled(const Patch& patch) const {
+    PatchDivision along_edges;
+    for (int step = 0; step < kRound; ++step) {
+      const Eigen::Vector3d direction = direction_at(sphere, patch, (step + 0.5) / kSteps);
+      along_edges.places.push_back(static_cast<double>(step) / kSteps);
+      along_edges.classes.push_back(kept(classes.at(sphere, direction)));
+    }
+    PatchDivision division = joined(along_edges);
+    drop_shortest(division);
+    return division;
+  }
+
+  void put_class(std::int32_t class_id) { out.put(static_cast<std::uint32_t>(class_id + 1), bits); }
+
+  void put_division(const PatchDivision& division) {
+    out.put(0, 1);
+    out.put(1, 1);
+    out.put(static_cast<std::uint32_t>(division.places.size() - kFewestPieces), kPieceBits);
+    for (std::size_t k = 0; k < division.places.size(); ++k) {
+      out.put(static_cast<std::uint32_t>(std::lround(division.places[k] * kSteps)), kPlaceBits);
+      put_class(division.classes[k]);
+    }
   }
 
   void put(PatchId id) {
@@ -81,9 +154,16 @@ struct Encoder {
       for (const PatchId child : patch.children) put(child);
       return;
     }
-    const std::int32_t own = common_class(id);
+    std::int32_t own = common_class(id);
+    if (own == kMixed) {
+      const PatchDivision division = sampled(patch);
+      if (division.places.size() >= kFewestPieces) return put_division(division);
+      own = division.classes[0];
+    }
     out.put(own == last ? 1 : 0, 1);
-    if (own != last) out.put(static_cast<std::uint32_t>(own + 1), bits);
+    if (own == last) return;
+    out.put(0, 1);
+    put_class(own);
     last = own;
   }
 };
@@ -96,7 +176,7 @@ struct Decoder {
 
   void get(PatchId id) {
     if (in.failed) return;
-    map.class_of.resize(map.sphere.patch_count(), kNoClass);
+    map.classes.class_of.resize(map.sphere.patch_count(), kNoClass);
     if (in.get(1) == 1) {
       if (map.sphere.patch(id).level >= kDeepestLevel || map.sphere.patch_count() > kMostPatches) {
         in.failed = true;
@@ -107,34 +187,54 @@ struct Decoder {
       for (const PatchId child : children) get(child);
       return;
     }
-    if (in.get(1) == 0) last = static_cast<std::int32_t>(in.get(class_bits(class_count))) - 1;
-    in.failed = in.failed || last >= static_cast<std::int32_t>(class_count);
-    map.class_of[number(id)] = last;
+    const bool same = in.get(1) == 1;
+    const bool divided = !same && in.get(1) == 1;
+    if (divided) return get_division(id);
+    if (!same) last = get_class();
+    map.classes.class_of[number(id)] = last;
+  }
+
+  std::int32_t get_class() {
+    const auto id = static_cast<std::int32_t>(in.get(class_bits(class_count))) - 1;
+    in.failed = in.failed || id >= static_cast<std::int32_t>(class_count);
+    return id;
+  }
+
+  void get_division(PatchId id) {
+    PatchDivision division;
+    const std::size_t count = in.get(kPieceBits) + kFewestPieces;
+    for (std::size_t k = 0; k < count && !in.failed; ++k) {
+      const double place = static_cast<double>(in.get(kPlaceBits)) / kSteps;
+      in.failed = in.failed || place >= 3 || (k > 0 && place <= division.places.back());
+      division.places.push_back(place);
+      division.classes.push_back(get_class());
+    }
+    if (!in.failed)
+      map.classes.divisions.emplace(static_cast<std::uint32_t>(id), std::move(division));
   }
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_sphere_map(const ViewSphere& sphere,
-                                            std::span<const std::int32_t> class_of,
+std::vector<std::uint8_t> encode_sphere_map(const ViewSphere& sphere, const SphereClasses& classes,
                                             std::size_t class_count, int level) {
-  Encoder encoder{sphere, class_of, class_bits(class_count), level, {}};
+  Encoder encoder{sphere, classes, class_count, level};
   for (std::size_t k = 0; k < kRoots; ++k) encoder.put(root(k));
   return std::move(encoder.out.bytes);
 }
 
 std::vector<std::uint8_t> encode_sphere_map_within(const ViewSphere& sphere,
-                                                   std::span<const std::int32_t> class_of,
+                                                   const SphereClasses& classes,
                                                    std::size_t class_count,
                                                    std::size_t most_bytes) {
   int deepest = 0;
   for (std::size_t i = 0; i < sphere.patch_count(); ++i)
     deepest = std::max(deepest, sphere.patch(static_cast<PatchId>(i)).level);
   for (int level = deepest; level > 0; --level) {
-    std::vector<std::uint8_t> bytes = encode_sphere_map(sphere, class_of, class_count, level);
+    std::vector<std::uint8_t> bytes = encode_sphere_map(sphere, classes, class_count, level);
     if (bytes.size() <= most_bytes) return bytes;
   }
-  return encode_sphere_map(sphere, class_of, class_count, 0);
+  return encode_sphere_map(sphere, classes, class_count, 0);
 }
 
 Result<SphereMap> decode_sphere_map(std::span<const std::uint8_t> bytes, std::size_t class_count) {
@@ -143,7 +243,7 @@ Result<SphereMap> decode_sphere_map(std::span<const std::uint8_t> bytes, std::si
   for (std::size_t k = 0; k < kRoots; ++k) decoder.get(root(k));
   if (decoder.in.failed)
     return Error{"its map of the viewing sphere is damaged; compile the scene again"};
-  map.class_of.resize(map.sphere.patch_count(), kNoClass);
+  map.classes.class_of.resize(map.sphere.patch_count(), kNoClass);
   return map;
 }
 

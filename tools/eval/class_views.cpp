@@ -13,7 +13,7 @@ Result<ClassViews> ClassViews::create(const ClassIndex& index) {
   const ViewSphere& sphere = views.map_.sphere;
   for (const PatchId leaf : sphere.leaves()) {
     OwnedPatch owned;
-    owned.class_id = views.map_.class_of[static_cast<std::size_t>(leaf)];
+    owned.class_id = views.map_.classes.class_of[static_cast<std::size_t>(leaf)];
     if (owned.class_id == kNoClass) continue;
     for (std::size_t k = 0; k < 3; ++k)
       owned.corners[k] = sphere.position(sphere.patch(leaf).corners[k]);
@@ -44,7 +44,7 @@ std::int32_t ClassViews::nearest(const Eigen::Vector3d& direction) const {
 }
 
 std::int32_t ClassViews::at(const Eigen::Vector3d& direction) const {
-  return map_.class_of[static_cast<std::size_t>(map_.sphere.locate(direction))];
+  return map_.at(direction);
 }
 
 Eigen::Vector3d ClassViews::patch_centre(std::int32_t class_id,

@@ -117,7 +117,7 @@ TEST_CASE("patches are split where their views differ and nowhere else") {
 TEST_CASE("every corner of every leaf was seen, from where it is") {
   for (const auto& [name, level] : kModels) {
     const Subdivision& s = compiled_model(name, level).subdivision;
-    CHECK(s.views_rendered == s.sphere.vertex_count());
+    CHECK(s.views_rendered == s.views.size());
     for (const PatchId leaf : s.sphere.leaves()) {
       for (const VertexId corner : s.sphere.patch(leaf).corners) {
         const ObservedView& view = s.views[place_of(corner)];

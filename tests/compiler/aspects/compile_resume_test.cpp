@@ -88,7 +88,8 @@ TEST_CASE("with a store the bytes are the same, and a second run renders nothing
   const CompiledIndex first = job.run(), second = job.run();
   CHECK(first.bytes == without.bytes);
   CHECK(second.bytes == without.bytes);
-  CHECK(first.statistics.views_rendered == without.statistics.views);
+  CHECK(first.statistics.views_rendered ==
+        without.statistics.views + without.statistics.border_views);
   CHECK(second.statistics.views == first.statistics.views);
   CHECK(second.statistics.views_rendered == 0);
   CHECK(second.statistics.matches_executed == 0);
@@ -108,7 +109,8 @@ TEST_CASE("a run that was stopped goes on where it was, to the same bytes") {
     CHECK(stopped.error().find('\n') == std::string::npos);
     const CompiledIndex resumed = job.run();
     CHECK(resumed.bytes == whole.bytes);
-    CHECK(resumed.statistics.views_rendered + views <= whole.statistics.views);
+    CHECK(resumed.statistics.views_rendered + views <=
+          whole.statistics.views + whole.statistics.border_views);
   }
 }
 
@@ -134,8 +136,10 @@ TEST_CASE("a deeper level takes the views of the one before from the store") {
   const CompiledIndex shallow = job.run();
   job.options.level = 4;
   const CompiledIndex deepened = job.run();
-  CHECK(shallow.statistics.views_rendered == 642);
-  CHECK(deepened.statistics.views_rendered == deep.statistics.views - 642);
+  CHECK(shallow.statistics.views == 642);
+  // Views on the edges of level 3 are of use again where level 4 has vertices there.
+  CHECK(deepened.statistics.views_rendered < deep.statistics.views_rendered - 642);
+  CHECK(deepened.statistics.views == deep.statistics.views);
   CHECK(deepened.bytes == deep.bytes);
 }
 
