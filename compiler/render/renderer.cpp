@@ -42,6 +42,15 @@ struct Fault {
     if (!std::isfinite(cone.base_radius) || !std::isfinite(cone.apex_radius)) return kNotFinite;
     return cone.base == cone.apex ? "a cone without length" : nullptr;
   }
+  const char* operator()(const Mesh& mesh) const {
+    if (mesh.triangles.empty()) return "a mesh without triangles";
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+      if (!vertex.allFinite()) return kNotFinite;
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t corner : triangle)
+        if (corner >= mesh.vertices.size()) return "a mesh with a vertex that is not there";
+    return nullptr;
+  }
 
   static constexpr const char* kNotFinite = "a number that is not finite";
 };

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,8 +43,14 @@ struct Cone {
   double apex_radius = 0;
 };
 
+// A piece of surface of any form, flat-shaded, either winding, seen from both sides.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices
+};
+
 struct Primitive {
-  std::variant<Polygon, Sphere, Ring, Cone> shape;
+  std::variant<Polygon, Sphere, Ring, Cone, Mesh> shape;
   int surface = 0;  // index into Scene::surfaces
 };
 
