@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 #include "compiler/render/round_shapes.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"

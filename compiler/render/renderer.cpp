@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 #include "compiler/render/embree_scene.h"
 #include "compiler/render/pixel_writer.h"
 #include "compiler/render/scene_outline.h"

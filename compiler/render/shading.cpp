@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
 namespace {

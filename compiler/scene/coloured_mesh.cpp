@@ -1,0 +1,50 @@
+#include "compiler/scene/coloured_mesh.h"
+
+#include <fmt/format.h>
+
+#include "compiler/scene/ear_clipping.h"
+
+namespace aspect {
+namespace {
+
+void add_triangle(ColouredMesh& mesh, const Triangle& triangle, const Eigen::Vector3d& colour,
+                  std::uint32_t part) {
+  if (mesh.triangles.size() == ColouredMesh::kMaxTriangles)
+    throw MeshError(
+        fmt::format("more than {} triangles; simplify the model", ColouredMesh::kMaxTriangles));
+  mesh.triangles.push_back(triangle);
+  mesh.colours.push_back(colour);
+  mesh.part_of.push_back(part);
+}
+
+}  // namespace
+
+std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex) {
+  if (mesh.vertices.size() == ColouredMesh::kMaxVertices)
+    throw MeshError(
+        fmt::format("more than {} vertices; simplify the model", ColouredMesh::kMaxVertices));
+  mesh.vertices.push_back(vertex);
+  return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+}
+
+void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
+              const Eigen::Vector3d& colour, std::uint32_t part) {
+  if (corners.size() > ColouredMesh::kMaxFaceCorners)
+    throw MeshError(fmt::format("a face of {} corners, at most {} are read; write triangles",
+                                corners.size(), ColouredMesh::kMaxFaceCorners));
+  std::vector<Eigen::Vector3d> polygon;
+  for (const std::uint32_t corner : corners) {
+    if (corner >= mesh.vertices.size())
+      throw MeshError(fmt::format("a face has vertex {}, but there are {}; export it again", corner,
+                                  mesh.vertices.size()));
+    polygon.push_back(mesh.vertices[corner]);
+    if (!polygon.back().allFinite())
+      throw MeshError(fmt::format("vertex {} is not finite; export it again", corner));
+  }
+  if (corners.size() == 3)
+    return add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
+  for (const auto& [a, b, c] : triangulate(polygon))
+    add_triangle(mesh, {corners[a], corners[b], corners[c]}, colour, part);
+}
+
+}  // namespace aspect
