@@ -2,10 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
 #include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
 namespace {
+
+// Its corners' distance from a common plane, as a share of its size, is more than rounding.
+bool is_warped(const std::vector<Eigen::Vector3d>& quad) {
+  const Eigen::Vector3d u = quad[2] - quad[0], v = quad[3] - quad[1];
+  const double size = std::max(u.norm(), v.norm());
+  return std::abs(u.cross(v).normalized().dot(quad[1] - quad[0])) > 1e-6 * size;
+}
 
 void add_triangle(ColouredMesh& mesh, const Triangle& triangle, const Eigen::Vector3d& colour,
                   std::uint32_t part) {
@@ -43,6 +54,11 @@ void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
   }
   if (corners.size() == 3)
     return add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
+  // A warped one is two triangles whichever way it is looked at.
+  if (corners.size() == 4 && is_warped(polygon)) {
+    add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
+    return add_triangle(mesh, {corners[0], corners[2], corners[3]}, colour, part);
+  }
   for (const auto& [a, b, c] : triangulate(polygon))
     add_triangle(mesh, {corners[a], corners[b], corners[c]}, colour, part);
 }

@@ -3,6 +3,8 @@
 #include <dxflib/dl_codes.h>
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <catch2/catch.hpp>
 
 #include "compiler/scene/aci_palette.h"

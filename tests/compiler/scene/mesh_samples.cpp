@@ -133,7 +133,7 @@ SampleFile cube_ply(const std::string& format, bool colours_of_vertices) {
       if (text) file += "\n";
     }
   for (unsigned k = 0; k < 6; ++k) {
-    file += text ? "4" : bytes_of(4, 1);
+    file += text ? fmt::format("{}", 4) : bytes_of(4, 1);
     for (unsigned c = 4 * k; c < 4 * k + 4; ++c)
       file += text ? fmt::format(" {}", c) : bytes_of(c, 4, big);
     if (!colours_of_vertices) add_colour(cube_faces()[k].colour);
@@ -146,8 +146,8 @@ SampleFile cube_off(bool colours_of_vertices) {
   std::string file = colours_of_vertices ? "COFF\n24 6 0\n" : "OFF # a cube\n24 6 0\n";
   for (const CubeFace& face : cube_faces())
     for (const Vector3d& corner : face.corners)
-      file +=
-          words(corner) + (colours_of_vertices ? " " + rgb_words(face.colour) + " 255" : "") + "\n";
+      file += words(corner) +
+              (colours_of_vertices ? fmt::format(" {} 255", rgb_words(face.colour)) : "") + "\n";
   for (std::size_t k = 0; k < 6; ++k)
     file += fmt::format("4 {} {} {} {} {}\n", 4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3,
                         colours_of_vertices ? "" : rgb_words(cube_faces()[k].colour));
@@ -195,7 +195,7 @@ SampleFile cube_dxf_faces(bool by_layer) {
     file += fmt::format("0\nLAYER\n2\n{}\n70\n0\n62\n{}\n", face.name, face.aci);
   file += "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const CubeFace& face : cube_faces()) {
-    file += "0\n3DFACE\n8\n" + (by_layer ? face.name : "0") + "\n";
+    file += fmt::format("0\n3DFACE\n8\n{}\n", by_layer ? face.name.c_str() : "0");
     if (!by_layer)
       file += fmt::format("62\n7\n420\n{}\n", 0xff0000 * int(face.colour[0]) +
                                                   0xff00 * int(face.colour[1]) +
