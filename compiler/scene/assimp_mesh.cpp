@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -35,9 +36,12 @@ Eigen::Affine3d affine(const aiMatrix4x4& m) {
   return result;
 }
 
+// Seven digits, so that the 0.9 of a file is 0.9 again.
 Vector3d colour_of(const aiColor4D& colour) {
-  return {static_cast<double>(colour.r), static_cast<double>(colour.g),
-          static_cast<double>(colour.b)};
+  const auto channel = [](float value) {
+    return std::round(static_cast<double>(value) * 1e7) / 1e7;
+  };
+  return {channel(colour.r), channel(colour.g), channel(colour.b)};
 }
 
 struct Material {

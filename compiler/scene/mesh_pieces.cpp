@@ -61,20 +61,68 @@ class Union {
   std::vector<std::uint32_t> parent_;
 };
 
+std::tuple<double, double, double> place(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+// The vertex at a place, of those that triangles use.
+class VertexFinder {
+ public:
+  VertexFinder(const std::vector<Vector3d>& vertices, const std::vector<SurfaceTriangle>& triangles)
+      : vertices_(vertices) {
+    for (const SurfaceTriangle& triangle : triangles)
+      used_.insert(used_.end(), triangle.corners.begin(), triangle.corners.end());
+    std::sort(used_.begin(), used_.end());
+    used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+    std::sort(used_.begin(), used_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return place(vertices[a]) < place(vertices[b]);
+    });
+  }
+  std::uint32_t at(const Vector3d& point) const {
+    const auto found = std::lower_bound(
+        used_.begin(), used_.end(), place(point),
+        [&](std::uint32_t k, const auto& wanted) { return place(vertices_[k]) < wanted; });
+    return found != used_.end() && place(vertices_[*found]) == place(point) ? *found : kNone;
+  }
+
+ private:
+  const std::vector<Vector3d>& vertices_;
+  std::vector<std::uint32_t> used_;
+};
+
+struct Edge {
+  std::uint32_t from, to, surface, triangle;
+  auto operator<=>(const Edge&) const = default;
+};
+
+// The edge, or the pieces it is cut into by vertices at its middle, at theirs, and so on.
+void add_cut(const std::vector<Vector3d>& vertices, const VertexFinder& finder, const Edge& whole,
+             std::vector<Edge>& edges) {
+  std::vector<Edge> open = {whole};
+  while (!open.empty()) {
+    const Edge edge = open.back();
+    open.pop_back();
+    const std::uint32_t middle = finder.at((vertices[edge.from] + vertices[edge.to]) / 2);
+    if (middle == kNone || middle == edge.from || middle == edge.to) {
+      edges.push_back(edge);
+      continue;
+    }
+    for (const std::uint32_t end : {edge.from, edge.to})
+      open.push_back({std::min(end, middle), std::max(end, middle), edge.surface, edge.triangle});
+  }
+}
+
 }  // namespace
 
 void weld(std::vector<Vector3d>& vertices, std::vector<SurfaceTriangle>& triangles) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t k) {
-    return std::make_tuple(vertices[k].x(), vertices[k].y(), vertices[k].z());
-  };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tuple(place(a), a) < std::tuple(place(b), b);
+    return std::tuple(place(vertices[a]), a) < std::tuple(place(vertices[b]), b);
   });
   std::vector<std::uint32_t> first(vertices.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool same = k > 0 && place(order[k]) == place(order[k - 1]);
+    const bool same = k > 0 && place(vertices[order[k]]) == place(vertices[order[k - 1]]);
     first[order[k]] = same ? first[order[k - 1]] : order[k];
   }
   for (SurfaceTriangle& triangle : triangles)
@@ -83,17 +131,15 @@ void weld(std::vector<Vector3d>& vertices, std::vector<SurfaceTriangle>& triangl
   leave_out_repeated(triangles);
 }
 
-std::vector<std::uint32_t> pieces_by_edges(const std::vector<SurfaceTriangle>& triangles) {
-  struct Edge {
-    std::uint32_t from, to, surface, triangle;
-    auto operator<=>(const Edge&) const = default;
-  };
+std::vector<std::uint32_t> pieces_by_edges(const std::vector<Vector3d>& vertices,
+                                           const std::vector<SurfaceTriangle>& triangles) {
+  const VertexFinder finder(vertices, triangles);
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = triangles[t].corners[k], b = triangles[t].corners[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), triangles[t].surface, t});
+      add_cut(vertices, finder, {std::min(a, b), std::max(a, b), triangles[t].surface, t}, edges);
     }
   std::sort(edges.begin(), edges.end());
   Union joined(triangles.size());

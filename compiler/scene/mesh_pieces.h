@@ -18,8 +18,11 @@ struct SurfaceTriangle {
 // Makes vertices at the same place one, and leaves out triangles without area and repeated ones.
 void weld(std::vector<Eigen::Vector3d>& vertices, std::vector<SurfaceTriangle>& triangles);
 
-// By triangle: its piece, numbered in the order of their first triangles.
-std::vector<std::uint32_t> pieces_by_edges(const std::vector<SurfaceTriangle>& triangles);
+// By triangle: its piece, numbered in the order of their first triangles. By edges: an edge also
+// joins those that its middle cuts it into, as it does where textures are cut. The vertices are
+// welded.
+std::vector<std::uint32_t> pieces_by_edges(const std::vector<Eigen::Vector3d>& vertices,
+                                           const std::vector<SurfaceTriangle>& triangles);
 std::vector<std::uint32_t> pieces_by_surface(const std::vector<SurfaceTriangle>& triangles);
 
 // A primitive a piece.

@@ -154,10 +154,9 @@ Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours) {
   std::vector<SurfaceTriangle> triangles = with_surfaces(mesh, scene);
   weld(mesh.vertices, triangles);
   if (triangles.empty()) return Error{"its faces have no area; export the model as a mesh"};
+  std::vector<std::uint32_t> piece_of = pieces_by_edges(mesh.vertices, triangles);
   if (const std::string fault = place(mesh.vertices, triangles, scene); !fault.empty())
     return Error{fault};
-
-  std::vector<std::uint32_t> piece_of = pieces_by_edges(triangles);
   if (*std::max_element(piece_of.begin(), piece_of.end()) >= kMaxPrimitives) {
     scene.warnings.push_back(fmt::format(
         "falls into more than {} pieces; all faces of a colour count as one", kMaxPrimitives));
