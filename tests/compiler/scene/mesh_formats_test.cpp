@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/render/renderer.h"
+#include "compiler/scene/mesh_reader.h"
 #include "compiler/scene/scene_reader.h"
 #include "mesh_samples.h"
 #include "scene_samples.h"
@@ -50,6 +51,30 @@ TEST_CASE("a cube in OFF, coloured by face or vertex, looks like Bob's") {
   const ScratchFolder folder;
   for (const bool of_vertices : {false, true})
     require_cube_pictures(read(folder, cube_off(of_vertices)));
+}
+
+TEST_CASE("whole numbers are parts of 255, or of what their type holds, and others of 1") {
+  const auto red_of = [](const std::string& bytes, const std::string& name) {
+    const Result<Scene> scene = parse_mesh(bytes, name);
+    if (!scene) FAIL(scene.error());
+    return scene.value().surfaces.at(0).diffuse.x();
+  };
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";
+  CHECK(red_of(off + "51 0 0", "a.off") == Approx(.2));
+  CHECK(red_of(off + "0.2 0 0", "a.off") == Approx(.2));
+  const auto ply = [&](const std::string& type, const std::string& red) {
+    std::string properties;
+    for (const char* name : {"red", "green", "blue"})
+      properties += "property " + type + " " + name + "\n";
+    return red_of(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\n" +
+            properties + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + red + " 0 0\n",
+        "a.ply");
+  };
+  CHECK(ply("uchar", "51") == Approx(.2));
+  CHECK(ply("ushort", "13107") == Approx(.2));
+  CHECK(ply("float", "0.2") == Approx(.2));
 }
 
 TEST_CASE("a cube in binary STL with the colours of either kind looks like Bob's") {

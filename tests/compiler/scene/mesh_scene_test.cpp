@@ -101,7 +101,7 @@ TEST_CASE("the source tells every change of geometry and colour") {
   ColouredMesh moved = two_squares(), dyed = two_squares(), scaled = two_squares();
   moved.vertices[2].y() += 1e-9;
   dyed.colours[0].y() = .1;
-  for (Vector3d& vertex : scaled.vertices) vertex *= 2;
+  for (Vector3d& vertex : scaled.vertices) vertex = 2 * vertex - Vector3d(1, .5, .5);
   CHECK(scene_from(moved).source != before);
   CHECK(scene_from(dyed).source != before);
   CHECK(scene_from(scaled).source != before);
