@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/scene/ear_clipping.h"
 #include "compiler/render/round_shapes.h"
+#include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
 

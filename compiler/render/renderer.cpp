@@ -10,12 +10,12 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/scene/ear_clipping.h"
 #include "compiler/render/embree_scene.h"
 #include "compiler/render/pixel_writer.h"
 #include "compiler/render/scene_outline.h"
 #include "compiler/render/shading.h"
 #include "compiler/render/tile_tracer.h"
+#include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
 namespace {
