@@ -6,9 +6,9 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
-  libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
+  libembree-dev libtbb-dev libsqlite3-dev libassimp-dev  # the compiler's
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libopencv-dev  # the tools'
-  catch2 libbenchmark-dev python3                        # tests and benchmarks
+  catch2 libdxflib-dev libbenchmark-dev python3          # tests and benchmarks
 )
 
 missing=()

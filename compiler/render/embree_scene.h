@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/render/ear_clipping.h"
 #include "compiler/render/round_shapes.h"
+#include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
 
@@ -17,7 +17,8 @@ namespace aspect {
 
 class EmbreeScene {
  public:
-  // `triangles` holds those of every polygon by primitive. Fails with Embree's own words.
+  // `triangles` holds those of every polygon by primitive; meshes bring their own. Fails with
+  // Embree's own words.
   static Result<EmbreeScene> create(const Scene& scene,
                                     std::span<const std::vector<Triangle>> triangles);
 
@@ -33,10 +34,15 @@ class EmbreeScene {
   std::int32_t primitive_of(unsigned geometry, unsigned part) const {
     return primitives_[first_part_[geometry] + part];
   }
+  // The mesh's triangle behind a hit's two ids, where the primitive is a mesh.
+  std::uint32_t triangle_of(unsigned geometry, unsigned part) const {
+    const std::uint32_t k = first_part_[geometry] + part;
+    return k - first_triangle_[static_cast<std::size_t>(primitives_[k])];
+  }
 
  private:
   EmbreeScene() = default;
-  void add_polygons(const Scene& scene, std::span<const std::vector<Triangle>> triangles);
+  void add_triangles(const Scene& scene, std::span<const std::vector<Triangle>> triangles);
   template <typename Shape, typename Rounded>
   void add_round_shapes(const Scene& scene, double overlap, std::vector<Rounded>& shapes);
   void add(RTCGeometry geometry);
@@ -46,8 +52,9 @@ class EmbreeScene {
   std::vector<RoundSphere> spheres_;
   std::vector<RoundRing> rings_;
   std::vector<RoundCone> cones_;
-  std::vector<std::int32_t> primitives_;   // by part, the parts of geometry 0 first
-  std::vector<std::uint32_t> first_part_;  // by geometry
+  std::vector<std::int32_t> primitives_;       // by part, the parts of geometry 0 first
+  std::vector<std::uint32_t> first_part_;      // by geometry
+  std::vector<std::uint32_t> first_triangle_;  // by primitive: the first of its parts
 };
 
 }  // namespace aspect

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/render/ear_clipping.h"
 #include "compiler/render/embree_scene.h"
 #include "compiler/render/pixel_writer.h"
 #include "compiler/render/scene_outline.h"
 #include "compiler/render/shading.h"
 #include "compiler/render/tile_tracer.h"
+#include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
 namespace {
@@ -41,6 +41,15 @@ struct Fault {
     if (!cone.base.allFinite() || !cone.apex.allFinite()) return kNotFinite;
     if (!std::isfinite(cone.base_radius) || !std::isfinite(cone.apex_radius)) return kNotFinite;
     return cone.base == cone.apex ? "a cone without length" : nullptr;
+  }
+  const char* operator()(const Mesh& mesh) const {
+    if (mesh.triangles.empty()) return "a mesh without triangles";
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+      if (!vertex.allFinite()) return kNotFinite;
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t corner : triangle)
+        if (corner >= mesh.vertices.size()) return "a mesh with a vertex that is not there";
+    return nullptr;
   }
 
   static constexpr const char* kNotFinite = "a number that is not finite";

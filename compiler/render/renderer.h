@@ -36,7 +36,7 @@ class Renderer {
  public:
   // Fails where the scene holds something that cannot be rendered: no primitives, more than 65534
   // of them, a surface that is not there, a number that is not finite, a polygon of fewer than 3
-  // vertices, a cone without length.
+  // vertices, a cone without length, a mesh without triangles or with a vertex that is not there.
   static Result<Renderer> create(const Scene& scene);
 
   Renderer(Renderer&&) noexcept;

@@ -129,6 +129,27 @@ class Builder {
     for (std::uint32_t k = 0; k < kSides; ++k) outline_.edges.push_back({base + k, apex + k});
   }
 
+  // A box around all of it: the work of a view must not grow with the triangles.
+  void add(const Mesh& mesh, std::uint32_t, SceneOutline::Frame&) {
+    Vector3d least = mesh.vertices[mesh.triangles.front()[0]], greatest = least;
+    for (const Triangle& triangle : mesh.triangles)
+      for (const std::uint32_t corner : triangle) {
+        least = least.cwiseMin(mesh.vertices[corner]);
+        greatest = greatest.cwiseMax(mesh.vertices[corner]);
+      }
+    const std::uint32_t first = end_point();
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      Vector3d corner = least;
+      for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        if ((k >> axis & 1U) != 0)
+          corner[axis] = greatest[axis];
+        else
+          outline_.edges.push_back({first + k, first + (k | 1U << axis)});
+      }
+      outline_.points.push_back(corner);
+    }
+  }
+
   SceneOutline outline_;
   std::span<const Triangle> triangles_;  // of the primitive at work
 };

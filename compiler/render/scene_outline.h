@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/scene.h"
 
 namespace aspect {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
 namespace {
@@ -19,6 +19,7 @@ constexpr double kShadowOffset = 1e-5;
 struct NormalAt {
   Vector3d point;
   Vector3d polygon_normal;
+  std::uint32_t triangle;
 
   Vector3d operator()(const Polygon&) const { return polygon_normal; }
   Vector3d operator()(const Sphere& sphere) const { return (point - sphere.center).normalized(); }
@@ -30,6 +31,11 @@ struct NormalAt {
     const Vector3d outwards = (from_base - from_base.dot(axis) * axis).normalized();
     const double slope = (cone.apex_radius - cone.base_radius) / whole.norm();
     return (outwards - slope * axis).normalized();
+  }
+  Vector3d operator()(const Mesh& mesh) const {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const Vector3d& corner = mesh.vertices[a];
+    return (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner).normalized();
   }
 };
 
@@ -65,7 +71,7 @@ void Shading::shade(const EmbreeScene& scene, const Vector3d& camera_object, con
   for (std::size_t k = 0; k < 16; ++k) {
     if (hits.primitive[k] < 0) continue;
     const Vector3d to_camera = camera_object - hits.point_object[k];
-    const Vector3d normal = normal_at(hits.primitive[k], hits.point_object[k]);
+    const Vector3d normal = normal_at(hits, k);
     normals[k] = normal.dot(to_camera) < 0 ? Vector3d(-normal) : normal;
     sums[k] = materials_[static_cast<std::size_t>(hits.primitive[k])].ambient;
   }
@@ -110,9 +116,10 @@ void Shading::add_light(const PointLight& light, const EmbreeScene& scene, const
   }
 }
 
-Vector3d Shading::normal_at(std::int32_t primitive, const Vector3d& point_object) const {
-  const auto k = static_cast<std::size_t>(primitive);
-  return std::visit(NormalAt{point_object, plate_normals_[k]}, shapes_[k].shape);
+Vector3d Shading::normal_at(const PacketHits& hits, std::size_t lane) const {
+  const auto k = static_cast<std::size_t>(hits.primitive[lane]);
+  return std::visit(NormalAt{hits.point_object[lane], plate_normals_[k], hits.triangle[lane]},
+                    shapes_[k].shape);
 }
 
 }  // namespace aspect

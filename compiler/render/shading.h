@@ -19,6 +19,7 @@ Rgb to_8_bit(const Eigen::Vector3d& color);
 // The hits of one packet of rays; primitive -1 where a ray hits nothing.
 struct PacketHits {
   std::array<std::int32_t, 16> primitive{};
+  std::array<std::uint32_t, 16> triangle{};  // of a mesh
   std::array<Eigen::Vector3d, 16> point_object;
 };
 
@@ -48,7 +49,7 @@ class Shading {
   void add_light(const PointLight& light, const EmbreeScene& scene, const PacketHits& hits,
                  const std::array<Eigen::Vector3d, 16>& normals,
                  std::array<Eigen::Vector3d, 16>& sums) const;
-  Eigen::Vector3d normal_at(std::int32_t primitive, const Eigen::Vector3d& point_object) const;
+  Eigen::Vector3d normal_at(const PacketHits& hits, std::size_t lane) const;
 
   std::vector<Primitive> shapes_;  // empty where no light needs them
   std::vector<PointLight> lights_;

@@ -81,6 +81,8 @@ void TileTracer::shade(const Box& tile, PacketHits& hits, std::array<Rgb, 16>& c
     const auto k = static_cast<std::size_t>(lane);
     const Eigen::Vector3d direction = first_object_ + (tile.x + column(lane)) * right_object_ +
                                       (tile.y + row(lane)) * down_object_;
+    if (hits.primitive[k] >= 0)
+      hits.triangle[k] = scene_.triangle_of(packet_.hit.geomID[k], packet_.hit.primID[k]);
     hits.point_object[k] = camera_.position_object + double{packet_.ray.tfar[k]} * direction;
   }
   shading_.shade(scene_, camera_.position_object, hits, colors);

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,8 +43,14 @@ struct Cone {
   double apex_radius = 0;
 };
 
+// A piece of surface of any form, flat-shaded, either winding, seen from both sides.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices
+};
+
 struct Primitive {
-  std::variant<Polygon, Sphere, Ring, Cone> shape;
+  std::variant<Polygon, Sphere, Ring, Cone, Mesh> shape;
   int surface = 0;  // index into Scene::surfaces
 };
 
@@ -64,6 +72,13 @@ struct Studio {
   Eigen::Vector3d background{0, 0, 0};
 };
 
+// Where a scene stands in the coordinates of the file it was read from:
+// point_source = scale * point_object + translation.
+struct SourceFromObject {
+  double scale = 1;
+  Eigen::Vector3d translation{0, 0, 0};
+};
+
 struct Scene {
   std::string name;  // the file's name without folder and extension
   Studio studio;
@@ -71,7 +86,9 @@ struct Scene {
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures
   std::vector<PointLight> lights;
   std::vector<std::string> warnings;  // one line each, with file and line
-  std::string source;  // the preprocessed words, normalised: what a store's key hashes
+  // What a store's key hashes: a Bob scene's preprocessed words, normalised; a mesh's digest.
+  std::string source;
+  SourceFromObject source_from_object;  // of meshes, which are centred and scaled to fit
 };
 
 // Smallest radius of a sphere about the origin that holds every primitive (for cones and rings

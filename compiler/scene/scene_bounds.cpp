@@ -19,13 +19,8 @@ double farthest_of_circle(const Eigen::Vector3d& center, const Eigen::Vector3d& 
 struct Farthest {
   const Eigen::Vector3d& origin;
 
-  double operator()(const Polygon& polygon) const {
-    double farthest = 0;
-    for (const Eigen::Vector3d& vertex : polygon.vertices) {
-      farthest = std::max(farthest, (vertex - origin).norm());
-    }
-    return farthest;
-  }
+  double operator()(const Polygon& polygon) const { return farthest_of(polygon.vertices); }
+  double operator()(const Mesh& mesh) const { return farthest_of(mesh.vertices); }
   double operator()(const Sphere& sphere) const {
     return (sphere.center - origin).norm() + sphere.radius;
   }
@@ -37,6 +32,12 @@ struct Farthest {
     const Eigen::Vector3d axis = (cone.apex - cone.base).normalized();
     return std::max(farthest_of_circle(cone.base, axis, cone.base_radius, origin),
                     farthest_of_circle(cone.apex, axis, cone.apex_radius, origin));
+  }
+  double farthest_of(const std::vector<Eigen::Vector3d>& vertices) const {
+    double farthest = 0;
+    for (const Eigen::Vector3d& vertex : vertices)
+      farthest = std::max(farthest, (vertex - origin).norm());
+    return farthest;
   }
 };
 

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "compiler/compile.h"
-#include "compiler/scene/bob_reader.h"
+#include "compiler/scene/scene_reader.h"
 #include "runtime/recognition/class_match.h"
+#include "tools/aspectc/convert_command.h"
 #include "tools/aspectc/inspect_command.h"
 #include "tools/aspectc/progress_line.h"
 #include "tools/aspectc/project_file.h"
@@ -37,7 +38,8 @@ struct CompileCommand {
 };
 
 void CompileCommand::add_to(CLI::App& app) {
-  app.add_option("scene", scene, "Bob scene to compile (.b), or a project that names one (.toml)");
+  app.add_option("scene", scene,
+                 "scene (.b) or mesh to compile, or a project that names one (.toml)");
   app.add_option("-o,--output", output, "class index to write [NAME.aspect, here]");
   app.add_option("--level", options.level, "finest level of the viewing sphere's patches")
       ->check(CLI::Range(0, 10))
@@ -149,7 +151,7 @@ int CompileCommand::run() {
     scene = project.value().scene.string();
     options.vision = project.value().vision;
   }
-  const Result<Scene> loaded = read_bob(scene);
+  const Result<Scene> loaded = read_scene(scene);
   if (!loaded) return fail(loaded.error());
   for (const std::string& warning : loaded.value().warnings)
     fmt::print(stderr, "aspectc: warning: {}\n", warning);
@@ -181,13 +183,16 @@ int run_program(int argc, char** argv) {
   app.footer(
       "Examples:\n  aspectc part.b -o part.aspect --level 5\n"
       "  aspectc render part.b --from 1,0.5,0.3 --segmented -o view.png\n"
-      "  aspectc inspect part.aspect\n  aspectc inspect part.store");
+      "  aspectc inspect part.aspect\n  aspectc inspect part.store\n"
+      "  aspectc convert part.obj part.b");
   CompileCommand compile_command;
   compile_command.add_to(app);
   RenderCommand render_command;
   CLI::App* render = add_render_command(app, render_command);
   InspectCommand inspect_command;
   CLI::App* inspect = add_inspect_command(app, inspect_command);
+  ConvertCommand convert_command;
+  CLI::App* convert = add_convert_command(app, convert_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -195,6 +200,7 @@ int run_program(int argc, char** argv) {
   }
   if (render->parsed()) return run_render(render_command);
   if (inspect->parsed()) return run_inspect(inspect_command);
+  if (convert->parsed()) return run_convert(convert_command);
   if (compile_command.scene.empty()) {
     fmt::print(stderr, "aspectc: no scene given; aspectc --help shows how\n");
     return 2;

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "compiler/scene/bob_reader.h"
+#include "compiler/scene/scene_reader.h"
 #include "tools/eval/object_symmetry.h"
 #include "tools/eval/random_directions.h"
 #include "tools/replay/sized_recogniser.h"
@@ -134,7 +134,7 @@ Result<EvaluatedObject> EvaluatedObject::load(const std::filesystem::path& index
                                               const std::filesystem::path& scene_file) {
   Result<ClassIndex> index = load_index(index_file);
   if (!index) return Error{index.error()};
-  Result<Scene> scene = read_bob(scene_file);
+  Result<Scene> scene = read_scene(scene_file);
   if (!scene) return Error{scene.error()};
   Result<Renderer> renderer = Renderer::create(scene.value());
   if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};

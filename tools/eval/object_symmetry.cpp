@@ -59,6 +59,26 @@ struct Comparison {
                          near(a.base_radius, b.apex_radius) && near(a.apex_radius, b.base_radius);
     return same || swapped;
   }
+  // By their vertices alone, since equal surfaces may be cut into triangles differently.
+  bool alike(const Mesh& a, const Mesh& b) const {
+    if (a.vertices.size() != b.vertices.size()) return false;
+    if (!near(middle(a), middle(b))) return false;
+    std::vector<Eigen::Vector3d> sorted = b.vertices;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const auto& p, const auto& q) { return p.x() < q.x(); });
+    return std::all_of(a.vertices.begin(), a.vertices.end(), [&](const Eigen::Vector3d& from) {
+      const double least = turned(from).x() - tolerance;
+      auto to = std::lower_bound(sorted.begin(), sorted.end(), least,
+                                 [](const auto& p, double x) { return p.x() < x; });
+      while (to != sorted.end() && to->x() <= least + 2 * tolerance && !near(from, *to)) ++to;
+      return to != sorted.end() && near(from, *to);
+    });
+  }
+  static Eigen::Vector3d middle(const Mesh& mesh) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
+    return sum / static_cast<double>(mesh.vertices.size());
+  }
   template <typename A, typename B>
   bool alike(const A&, const B&) const {
     return false;

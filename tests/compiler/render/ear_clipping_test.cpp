@@ -1,4 +1,4 @@
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -64,6 +64,14 @@ struct FirstHit {
                       });
   }
 
+  double operator()(const Mesh& mesh) const {
+    double least = kMiss;
+    for (const auto& [a, b, c] : mesh.triangles)
+      least = std::min(
+          least, operator()(Polygon{{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}}));
+    return least;
+  }
+
   template <typename Allowed>
   static double least_root(double a, double b, double c, Allowed allowed) {
     const double inside = b * b - 4 * a * c;

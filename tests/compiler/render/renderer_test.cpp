@@ -187,6 +187,12 @@ TEST_CASE("scenes that cannot be rendered are refused with the reason") {
   add_shape(broken, Sphere{{0, std::numeric_limits<double>::quiet_NaN(), 0}, 1});
   require_refused(broken, "test: primitive 1 has a number that is not finite");
   broken = scene;
+  add_shape(broken, Mesh{});
+  require_refused(broken, "test: primitive 1 has a mesh without triangles");
+  broken = scene;
+  add_shape(broken, Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3}}});
+  require_refused(broken, "test: primitive 1 has a mesh with a vertex that is not there");
+  broken = scene;
   broken.primitives.resize(65535, scene.primitives[0]);
   require_refused(broken, "test: 65535 primitives; at most 65534 can be told apart");
 }

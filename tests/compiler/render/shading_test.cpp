@@ -105,6 +105,17 @@ TEST_CASE("a plate is lit on the side that the camera sees") {
   CHECK(worst_channel_error(front, middle, ambient + cosine * Vector3d(0.9, 0.5, 0.3)) <= 1);
 }
 
+TEST_CASE("a lit mesh looks like its triangles as polygons") {
+  Scene mesh = mesh_sphere_scene(kSize, 2), polygons = faceted_sphere_scene(kSize, 2);
+  mesh.surfaces = {{{0.9, 0.5, 0.3}, {0.2, 0.2, 0.2}}};
+  for (Surface& surface : polygons.surfaces) surface = mesh.surfaces[0];
+  mesh.lights = polygons.lights = {{{2, 1, 0.3}, {1, 1, 1}, true}};
+  Picture one, other;
+  renderer_of(mesh).render(camera_at(mesh.studio, {0.6, 0, 0.8}), one);
+  renderer_of(polygons).render(camera_at(mesh.studio, {0.6, 0, 0.8}), other);
+  CHECK(one.rgb == other.rgb);
+}
+
 TEST_CASE("a disc casts its shadow on the floor, and only where the light casts shadows") {
   Scene scene = one_surface();
   scene.studio.up = {0, 1, 0};

@@ -33,9 +33,21 @@ Polygon gear(int teeth, const Vector3d& center, const Vector3d& normal) {
   return polygon;
 }
 
+// Triangles with one corner in common, in different planes.
+Mesh fan(int triangles, const Vector3d& center, Random& random) {
+  Mesh mesh;
+  mesh.vertices = {center, center + random.point(0.1)};
+  for (int k = 0; k < triangles; ++k) {
+    const auto last = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    mesh.vertices.push_back(center + random.point(0.15));
+    mesh.triangles.push_back({0, last, last + 1});
+  }
+  return mesh;
+}
+
 void add_random_shape(Scene& scene, Random& random) {
   const Vector3d center = random.point(0.2), axis = random.direction();
-  switch (random.whole(0, 4)) {
+  switch (random.whole(0, 5)) {
     case 0:
       return add_shape(scene, Sphere{center, random.uniform(0.02, 0.15)});
     case 1:
@@ -46,6 +58,8 @@ void add_random_shape(Scene& scene, Random& random) {
                                    random.uniform(0, 0.1), random.uniform(0.02, 0.1)});
     case 3:
       return add_shape(scene, gear(random.whole(2, 6), center, axis));
+    case 4:
+      return add_shape(scene, fan(random.whole(1, 6), center, random));
     default:
       const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
       const double a = random.uniform(0.05, 0.3), b = random.uniform(0.05, 0.3);
@@ -112,6 +126,12 @@ TEST_CASE("a box is right from random directions, along its axes, and from insid
   for (const Vector3d& direction : {Vector3d(1, 0, 0), {0, 0, -1}, {0, 1, 0}})
     require_like_reference(scene, renderer, camera_at(scene.studio, direction));
   require_like_reference(scene, renderer, camera_at(scene.studio, {0.6, 0.8, 0}, 0.01));
+}
+
+TEST_CASE("a mesh is right from random directions and from inside") {
+  const Scene scene = mesh_sphere_scene(kSize, 2);
+  require_right_from_random_directions(scene, 19, 4);
+  require_like_reference(scene, renderer_of(scene), camera_at(scene.studio, {0.6, 0.8, 0}, 0.01));
 }
 
 TEST_CASE("random heaps of all shapes are right, also from among them") {

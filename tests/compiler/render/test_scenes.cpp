@@ -19,7 +19,7 @@ Scene empty_scene(int width_px, int height_px) {
   return scene;
 }
 
-void add_shape(Scene& scene, const std::variant<Polygon, Sphere, Ring, Cone>& shape) {
+void add_shape(Scene& scene, const decltype(Primitive::shape)& shape) {
   const auto number = static_cast<int>(scene.primitives.size());
   const Vector3d color(0.1 + 0.13 * (number % 7), 0.9 - 0.2 * (number % 5), 0.2 * (number % 4));
   scene.surfaces.push_back({color, color});
@@ -58,8 +58,11 @@ Scene closed_cylinder_scene(int size_px) {
   return scene;
 }
 
-Scene faceted_sphere_scene(int size_px, int splits) {
-  using Facet = std::array<Vector3d, 3>;
+namespace {
+
+using Facet = std::array<Vector3d, 3>;
+
+std::vector<Facet> sphere_facets(int splits) {
   std::vector<Facet> facets;
   for (const double x : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0})
@@ -75,8 +78,27 @@ Scene faceted_sphere_scene(int size_px, int splits) {
     }
     facets = std::move(finer);
   }
+  return facets;
+}
+
+}  // namespace
+
+Scene faceted_sphere_scene(int size_px, int splits) {
   Scene scene = empty_scene(size_px, size_px);
-  for (const auto& [a, b, c] : facets) add_shape(scene, Polygon{{0.33 * a, 0.33 * b, 0.33 * c}});
+  for (const auto& [a, b, c] : sphere_facets(splits))
+    add_shape(scene, Polygon{{0.33 * a, 0.33 * b, 0.33 * c}});
+  return scene;
+}
+
+Scene mesh_sphere_scene(int size_px, int splits) {
+  Scene scene = empty_scene(size_px, size_px);
+  Mesh mesh;
+  for (const Facet& facet : sphere_facets(splits)) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Vector3d& corner : facet) mesh.vertices.push_back(0.33 * corner);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  add_shape(scene, mesh);
   return scene;
 }
 

@@ -3,7 +3,7 @@
 // others stay exact, so shared edges do), mark all ears, cut the best-shaped one, look again at its
 // two neighbours, repeat. Weak side: O(n^2), and a polygon that cuts itself has no right answer:
 // where no ear is left, the smallest corner goes, so that the end is reached always.
-#include "compiler/render/ear_clipping.h"
+#include "compiler/scene/ear_clipping.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,0 +1,109 @@
+#include "compiler/scene/bob_writer.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+
+#include "compiler/scene/bob_parser.h"
+
+namespace aspect {
+namespace {
+
+using Eigen::Vector3d;
+
+// A little above what the reader asks of a polygon.
+constexpr double kLeastArea = 2e-9, kLeastSize = 2e-9;
+
+std::string words(const Vector3d& v) {
+  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
+}
+
+bool has_area(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const double size = 2 * std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return size >= kLeastSize && (b - a).cross(c - a).norm() / 2 > kLeastArea * size * size;
+}
+
+class BobWriter {
+ public:
+  std::string write(const Scene& scene) {
+    studio(scene.studio);
+    for (const PointLight& light : scene.lights)
+      append("light {{ type point position {} color {}{} }}\n", words(light.position),
+             words(light.color), light.casts_shadows ? "" : " no_shadows");
+    const Surface* last = nullptr;
+    for (const Primitive& primitive : scene.primitives) {
+      const Surface* used = &scene.surfaces[static_cast<std::size_t>(primitive.surface)];
+      if (used != last) surface(*used);
+      last = used;
+      std::visit([this](const auto& shape) { add(shape); }, primitive.shape);
+    }
+    return std::move(text_);
+  }
+
+  std::size_t primitives() const { return primitives_; }
+
+ private:
+  template <typename... Values>
+  void append(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+  }
+
+  void studio(const Studio& studio) {
+    append("studio {{\n  at {}\n  up {}\n  angle {:.17g}\n  resolution {} {}\n  aspect {:.17g}\n",
+           words(studio.at), words(studio.up), studio.angle_deg, studio.width_px, studio.height_px,
+           studio.aspect);
+    append("  ambient {}\n  background {}\n}}\n", words(studio.ambient), words(studio.background));
+  }
+
+  void surface(const Surface& surface) {
+    append("surface {{ diffuse {}", words(surface.diffuse));
+    if (surface.ambient != surface.diffuse) append(" ambient {}", words(surface.ambient));
+    append(" }}\n");
+  }
+
+  void add(const Polygon& polygon) {
+    ++primitives_;
+    append("polygon {{ points {}", polygon.vertices.size());
+    for (const Vector3d& vertex : polygon.vertices) append(" vertex {}", words(vertex));
+    append(" }}\n");
+  }
+  void add(const Sphere& sphere) {
+    ++primitives_;
+    append("sphere {{ center {} radius {:.17g} }}\n", words(sphere.center), sphere.radius);
+  }
+  void add(const Ring& ring) {
+    ++primitives_;
+    append("ring {{ center {} normal {} min_radius {:.17g} max_radius {:.17g} }}\n",
+           words(ring.center), words(ring.normal), ring.min_radius, ring.max_radius);
+  }
+  void add(const Cone& cone) {
+    ++primitives_;
+    append("cone {{ base {} base_radius {:.17g} apex {} apex_radius {:.17g} }}\n", words(cone.base),
+           cone.base_radius, words(cone.apex), cone.apex_radius);
+  }
+  void add(const Mesh& mesh) {
+    for (const auto& [a, b, c] : mesh.triangles)
+      if (has_area(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]))
+        add(Polygon{{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}});
+  }
+
+  std::string text_;
+  std::size_t primitives_ = 0;
+};
+
+}  // namespace
+
+Result<std::string> write_bob(const Scene& scene) {
+  BobWriter writer;
+  std::string text = writer.write(scene);
+  if (writer.primitives() > BobParser::kMaxPrimitives)
+    return Error{fmt::format("{}: {} polygons, a Bob scene has at most {}; compile the mesh itself",
+                             scene.name, writer.primitives(), BobParser::kMaxPrimitives)};
+  const SourceFromObject& source = scene.source_from_object;
+  return fmt::format("/* source = {:.17g} * object + ({}) */\n{}", source.scale,
+                     words(source.translation), text);
+}
+
+}  // namespace aspect

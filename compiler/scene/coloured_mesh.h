@@ -1,0 +1,55 @@
+// What the readers of mesh files hand over: triangles with a colour each, as the file says.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace aspect {
+
+// Thrown inside compiler/scene only; read_mesh() turns it into a Result with the file's name.
+class MeshError : public std::runtime_error {
+ public:
+  explicit MeshError(const std::string& message, std::size_t line = 0)
+      : std::runtime_error(message), line_(line) {}
+  std::size_t line() const { return line_; }  // 0: none
+
+ private:
+  std::size_t line_;
+};
+
+// A named piece of a file: a mesh, solid, object or layer, and its material.
+struct MeshPart {
+  std::string name, material;
+};
+
+struct ColouredMesh {
+  // Far above what a class index can tell apart, low enough to be safe.
+  static constexpr std::size_t kMaxTriangles = 5'000'000;
+  static constexpr std::size_t kMaxVertices = 3 * kMaxTriangles;
+  static constexpr std::size_t kMaxFaceCorners = 10'000;
+
+  std::vector<Eigen::Vector3d> vertices;                // the file's coordinates
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices
+  std::vector<Eigen::Vector3d> colours;                 // by triangle, 0..1
+  std::vector<std::uint32_t> part_of;                   // by triangle: index into parts
+  std::vector<MeshPart> parts;
+  std::vector<std::string> warnings;  // without the file's name
+};
+
+// Of faces that have none.
+inline const Eigen::Vector3d kUncoloured{0.7, 0.7, 0.7};
+
+// Throws MeshError past kMaxVertices.
+std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex);
+
+// A face with any number of corners, cut into triangles. Fewer than three corners are nothing.
+// Throws MeshError where a corner is not there or a limit is passed.
+void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
+              const Eigen::Vector3d& colour, std::uint32_t part);
+
+}  // namespace aspect

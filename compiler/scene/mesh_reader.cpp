@@ -1,0 +1,80 @@
+#include "compiler/scene/mesh_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "compiler/scene/assimp_mesh.h"
+#include "compiler/scene/bob_sources.h"
+#include "compiler/scene/dxf_mesh.h"
+#include "compiler/scene/isolated_reader.h"
+#include "compiler/scene/mesh_text.h"
+#include "compiler/scene/off_mesh.h"
+#include "compiler/scene/ply_mesh.h"
+#include "compiler/scene/scene_reader.h"
+#include "compiler/scene/stl_mesh.h"
+
+namespace aspect {
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
+
+// Nothing where the format is left to Assimp.
+std::optional<ColouredMesh> parsed(std::string_view bytes, const std::string& extension) {
+  if (extension == ".off") return parse_off(bytes);
+  if (extension == ".dxf") return parse_dxf(bytes);
+  if (extension == ".stl") return parse_binary_stl(bytes);
+  if (extension == ".ply" && !is_textured_ply(bytes)) return parse_ply(bytes);
+  return std::nullopt;
+}
+
+Result<Scene> scene_from(const std::filesystem::path& file, const MeshColours& colours,
+                         const std::function<ColouredMesh()>& read) {
+  const std::string name = file.string();
+  try {
+    Result<Scene> made = scene_of_mesh(read(), colours);
+    if (!made) return Error{fmt::format("{}: {}", name, made.error())};
+    Scene scene = std::move(made).value();
+    scene.name = file.stem().string();
+    for (std::string& warning : scene.warnings) warning = fmt::format("{}: {}", name, warning);
+    return scene;
+  } catch (const MeshError& error) {
+    if (error.line() == 0) return Error{fmt::format("{}: {}", name, error.what())};
+    return Error{fmt::format("{}:{}: {}", name, error.line(), error.what())};
+  } catch (const std::bad_alloc&) {
+    return Error{fmt::format("{}: needs more memory than there is; simplify the model", name)};
+  }
+}
+
+std::string load(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (std::filesystem::is_regular_file(file, unknown) &&
+      std::filesystem::file_size(file, unknown) > kMaxBytes)
+    throw MeshError(fmt::format("larger than {} MiB; simplify the model", kMaxBytes >> 20));
+  Result<std::string> bytes = load_text(file, kMaxBytes);
+  if (!bytes) throw MeshError(bytes.error());
+  if (bytes.value().empty()) throw MeshError("is empty; export it again");
+  return std::move(bytes).value();
+}
+
+}  // namespace
+
+Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours) {
+  return scene_from(file, colours, [&] {
+    if (std::optional<ColouredMesh> mesh = parsed(load(file), lower_extension(file)))
+      return std::move(*mesh);
+    return read_isolated([&] { return read_with_assimp(file); });
+  });
+}
+
+Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
+                         const MeshColours& colours) {
+  return scene_from(name, colours, [&] {
+    if (std::optional<ColouredMesh> mesh = parsed(bytes, lower_extension(name)))
+      return std::move(*mesh);
+    throw MeshError("this format is read from files alone");
+  });
+}
+
+}  // namespace aspect

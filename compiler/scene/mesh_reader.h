@@ -1,0 +1,25 @@
+// Reader of coloured meshes: OBJ with MTL, PLY, glTF and GLB, STL, OFF, 3DS, DXF.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "compiler/scene/mesh_scene.h"
+#include "compiler/scene/scene.h"
+#include "runtime/base/result.h"
+
+namespace aspect {
+
+// Reads a mesh file by its extension and makes the scene of it that scene_of_mesh() describes.
+// Channels are 0..1 as the file has them, never converted from or to sRGB: a picture shows
+// 255 * colour. Errors are one line `file: what is wrong; what to do`, with the line behind the
+// file's name where the format has lines. Files of more than 1 GiB or 5 million triangles are
+// refused; whatever breaks Assimp breaks a process of its own.
+Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours = {});
+
+// The same from bytes in memory, for formats that this library reads itself: .ply, .off, .stl
+// (binary), .dxf. `name` stands for the file in messages.
+Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
+                         const MeshColours& colours = {});
+
+}  // namespace aspect
