@@ -87,7 +87,7 @@ class Clustering {
     }
     GraphMatch found =
         match_graphs(subdivision_.views[number(from)], subdivision_.views[number(to)],
-                     options_.match_scales, options_.cluster_threshold);
+                     options_.match_scales, options_.match_limits());
     if (!(found.cost <= options_.cluster_threshold)) return false;
     links[to].push_back({from, reversed(found)});
     links[from].push_back({to, std::move(found)});

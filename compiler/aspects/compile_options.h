@@ -27,6 +27,15 @@ struct CompileOptions {
   // as the thesis does with its smallest (4.3.1).
   double small_cluster_fraction = 4e-4;
 
+  // Levels end where this share of the sphere is in uniform patches (thesis 3.3.2); 1: never.
+  double stop_area = 1;
+
+  // Patches of the last level that straddle a border are divided along it.
+  bool divide_borders = true;
+
+  // Search time of one match, 0: any. What is cut short by it depends on the machine.
+  double match_limit_ms = 0;
+
   int contour_types = 60;  // K of the k-means, at most kMaxTypes
   Scoring scoring = Scoring::views;
   MatchScales match_scales;
@@ -37,6 +46,8 @@ struct CompileOptions {
 
   // The options that change a view or a match, in words: part of a store's key.
   std::string store_key() const;
+
+  MatchLimits match_limits() const;
 };
 
 }  // namespace aspect

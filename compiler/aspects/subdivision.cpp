@@ -65,7 +65,7 @@ class Subdivider {
       if (level >= options.min_level) {
         if (Result<Done> done = examine(patches, level); !done) return Error{done.error()};
       }
-      if (level == options.level) break;
+      if (level == options.level || progress_.area_accepted >= options.stop_area) break;
       std::vector<PatchId> next;
       for (const PatchId id : patches) {
         if (level >= options.min_level &&
@@ -212,7 +212,7 @@ class Subdivider {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
         matches[i] = match_graphs(result_.views[number(pairs[i].first)],
                                   result_.views[number(pairs[i].second)], options.match_scales,
-                                  options.cluster_threshold);
+                                  options.match_limits());
       times.local() += Clock::now() - start;
     });
     for (const std::chrono::nanoseconds time : times) result_.match_time += time;

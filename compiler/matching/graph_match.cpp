@@ -6,14 +6,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "runtime/vision/relations.h"
+#include "compiler/matching/match_search.h"
 
 namespace aspect {
 namespace {
-
-// Partial mappings tried before a search is cut short: far more than any pair of views of the
-// thesis's objects needs, so that only a graph of many equal contours ever meets it.
-constexpr std::size_t kMostTried = 20000;
 
 double square(double x) {
   return x * x;
@@ -55,13 +51,7 @@ std::vector<ContourFeature> turned_features(const ObservedView& view, double rol
   return features;
 }
 
-// Arcs of a graph as a matrix; `known` is false where the graph does not keep the arc.
-struct Arc {
-  bool known = false;
-  std::uint8_t direction = 0;
-  Relation::Kind kind = Relation::Kind::apart;
-};
-
+// Arcs of a graph as a matrix.
 std::vector<Arc> arc_matrix(const ObservedView& view, double roll) {
   std::vector<Arc> arcs(view.external_count * view.external_count);
   // Halves are rounded away from zero whatever their last bits, so that both orders agree.
@@ -73,121 +63,64 @@ std::vector<Arc> arc_matrix(const ObservedView& view, double roll) {
   return arcs;
 }
 
-double arc_cost(const Arc& a, const Arc& b, const MatchScales& scales) {
-  if (!a.known || !b.known) return 0;
-  double cost = a.kind == b.kind ? 0 : square(1 / scales.kind);
-  const bool directed =
-      a.kind != Relation::Kind::superimposed && b.kind != Relation::Kind::superimposed;
-  if (directed)
-    cost +=
-        square(std::max(direction_distance(a.direction, b.direction) - 1, 0) / scales.direction);
-  return cost;
+void set_node_costs(const ObservedView& a, const ObservedView& b, double roll,
+                    const MatchScales& scales, MatchProblem& problem) {
+  const std::vector<ContourFeature> turned_b = turned_features(b, roll);
+  problem.count = a.external_count;
+  problem.node_costs.reserve(problem.count * problem.count);
+  for (std::size_t i = 0; i < problem.count; ++i)
+    for (const ContourFeature& other : turned_b)
+      problem.node_costs.push_back(node_cost(a.contours[i].feature, other, scales));
 }
 
-struct Search {
-  std::size_t n;
-  std::vector<double> nodes;  // n x n
-  std::vector<Arc> arcs_a, arcs_b;
-  const MatchScales& scales;
-  std::vector<std::size_t> order;  // contours of a, the most particular first
-  std::vector<double> least_from;  // least cost of the contours from a place in the order on
-  std::vector<std::uint8_t> mapping, best_mapping;
-  std::vector<bool> used;
-  double best;
-  std::size_t tried = 0;
+void set_arcs(const ObservedView& a, const ObservedView& b, double roll, const MatchScales& scales,
+              MatchProblem& problem) {
+  problem.arcs_a = arc_matrix(a, 0);
+  problem.arcs_b = arc_matrix(b, roll);
+  problem.kind_cost = square(1 / scales.kind);
+  for (std::size_t distance = 2; distance < problem.direction_cost.size(); ++distance)
+    problem.direction_cost[distance] =
+        square((static_cast<double>(distance) - 1) / scales.direction);
+}
 
-  Search(const ObservedView& a, const ObservedView& b, const MatchScales& match_scales,
-         double limit)
-      : n(a.external_count),
-        nodes(n * n),
-        arcs_a(arc_matrix(a, 0)),
-        arcs_b(arc_matrix(b, roll_between(a, b))),
-        scales(match_scales),
-        order(n),
-        least_from(n + 1, 0),
-        mapping(n),
-        used(n, false),
-        best(limit) {
-    const std::vector<ContourFeature> turned_b = turned_features(b, roll_between(a, b));
-    std::vector<double> least(n, kNoMatch);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < n; ++k) {
-        nodes[i * n + k] = node_cost(a.contours[i].feature, turned_b[k], scales);
-        least[i] = std::min(least[i], nodes[i * n + k]);
-      }
-    }
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) {
-      return a.contours[p].feature.area > a.contours[q].feature.area;
-    });
-    for (std::size_t place = n; place-- > 0;)
-      least_from[place] = least_from[place + 1] + least[order[place]];
+// What every mapping costs at least: spares most unlike pairs the search.
+double least_cost(const MatchProblem& problem) {
+  double sum = 0;
+  for (std::size_t i = 0; i < problem.count; ++i) {
+    const auto row = problem.node_costs.begin() + static_cast<std::ptrdiff_t>(i * problem.count);
+    sum += *std::min_element(row, row + static_cast<std::ptrdiff_t>(problem.count));
   }
-
-  double step_cost(std::size_t place, std::size_t k) const {
-    const std::size_t i = order[place];
-    double cost = nodes[i * n + k];
-    for (std::size_t earlier = 0; earlier < place; ++earlier) {
-      const std::size_t j = order[earlier], l = mapping[j];
-      cost += arc_cost(arcs_a[i * n + j], arcs_b[k * n + l], scales) +
-              arc_cost(arcs_a[j * n + i], arcs_b[l * n + k], scales);
-    }
-    return cost;
-  }
-
-  void extend(std::size_t place, double cost) {
-    if (place == n) {
-      best = cost;
-      best_mapping = mapping;
-      return;
-    }
-    const std::size_t i = order[place];
-    std::vector<std::pair<double, std::size_t>> choices;
-    for (std::size_t k = 0; k < n; ++k)
-      if (!used[k]) choices.emplace_back(step_cost(place, k), k);
-    std::sort(choices.begin(), choices.end());
-    for (const auto& [step, k] : choices) {
-      if (++tried > kMostTried) return;
-      const double bound = cost + step + least_from[place + 1];
-      if (bound > best || (bound == best && !best_mapping.empty())) return;
-      mapping[i] = static_cast<std::uint8_t>(k);
-      used[k] = true;
-      extend(place + 1, cost + step);
-      used[k] = false;
-    }
-  }
-};
+  return sum;
+}
 
 }  // namespace
 
 GraphMatch match_graphs(const ObservedView& a, const ObservedView& b, const MatchScales& scales,
-                        double give_up) {
+                        const MatchLimits& limits) {
   GraphMatch match;
   const std::size_t n = a.external_count;
-  if (n == 0 || n != b.external_count || n > 255) return match;
+  if (n == 0 || n != b.external_count || n > kMostNodes) return match;
   const double unit = kCostUnit / static_cast<double>(n);
-  Search search(a, b, scales, give_up / unit);
-  search.extend(0, 0);
-  match.gave_up = search.tried > kMostTried;
-  if (search.best_mapping.empty()) return match;
-  match.cost = search.best * unit;
-  match.mapping = search.best_mapping;
+  const double roll = roll_between(a, b);
+  MatchProblem problem;
+  set_node_costs(a, b, roll, scales, problem);
+  if (least_cost(problem) > limits.cost / unit) return match;
+  set_arcs(a, b, roll, scales, problem);
+  FoundMapping found = search_mapping(problem, {limits.cost / unit, limits.steps, limits.time});
+  match.gave_up = found.gave_up;
+  if (found.mapping.empty()) return match;
+  match.cost = found.cost * unit;
+  match.mapping = std::move(found.mapping);
   return match;
 }
 
 double mapping_cost(const ObservedView& a, const ObservedView& b, const MatchScales& scales,
                     const std::vector<std::uint8_t>& mapping) {
-  const std::size_t n = a.external_count;
   const double roll = roll_between(a, b);
-  const std::vector<ContourFeature> turned_b = turned_features(b, roll);
-  const std::vector<Arc> arcs_a = arc_matrix(a, 0), arcs_b = arc_matrix(b, roll);
-  double cost = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    cost += node_cost(a.contours[i].feature, turned_b[mapping[i]], scales);
-    for (std::size_t j = 0; j < n; ++j)
-      if (i != j) cost += arc_cost(arcs_a[i * n + j], arcs_b[mapping[i] * n + mapping[j]], scales);
-  }
-  return cost * kCostUnit / static_cast<double>(n);
+  MatchProblem problem;
+  set_node_costs(a, b, roll, scales, problem);
+  set_arcs(a, b, roll, scales, problem);
+  return problem.cost_of(mapping) * kCostUnit / static_cast<double>(problem.count);
 }
 
 GraphMatch reversed(const GraphMatch& match) {

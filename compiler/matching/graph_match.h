@@ -6,6 +6,7 @@
 // spins, are places like any other.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -29,17 +30,23 @@ struct MatchScales {
 inline constexpr double kCostUnit = 10000;
 inline constexpr double kNoMatch = std::numeric_limits<double>::infinity();
 
+inline constexpr std::size_t kMostNodes = 255;
+
+struct MatchLimits {
+  double cost = kCostUnit;           // dearer mappings are of no interest
+  std::size_t steps = 2000;          // of the search: far more than views of real objects need
+  std::chrono::nanoseconds time{0};  // of a match, 0: any. Makes results depend on the machine
+};
+
 struct GraphMatch {
-  double cost = kNoMatch;             // kNoMatch: different node counts, or above give_up
+  double cost = kNoMatch;             // kNoMatch: different node counts, or above the limit
   std::vector<std::uint8_t> mapping;  // external contour of the first -> of the second
   bool gave_up = false;               // the search was cut short; counted in the statistics
 };
 
-// The true optimum by branch and bound, if its cost is at most give_up. The bound of a partial
-// mapping is its own cost plus the least node cost of every contour that is still open, which no
-// completion can undercut.
+// The true optimum, if its cost is within the limit: see match_search.h.
 GraphMatch match_graphs(const ObservedView& a, const ObservedView& b, const MatchScales& scales,
-                        double give_up);
+                        const MatchLimits& limits);
 
 // The cost of a given mapping: what match_graphs minimises.
 double mapping_cost(const ObservedView& a, const ObservedView& b, const MatchScales& scales,

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "runtime/vision/view_graph.h"
+#include "runtime/vision/vision_parameters.h"
 
 namespace aspect {
 
@@ -13,9 +14,10 @@ std::uint8_t direction_code(Point2 vector);
 // Number of steps between two direction codes, 0..8.
 int direction_distance(std::uint8_t a, std::uint8_t b);
 
-// The relation of every ordered pair of contours, by `from`, then `to`. With relations_max > 0
-// only the pairs with the nearest centres are kept. Writes at most out.size() of them, returns
-// their number. O(n^2 log n).
-int relate(std::span<const Contour> contours, int relations_max, std::span<Relation> out);
+// The relation of every ordered pair of contours, by `from`, then `to`, or with a choice of them
+// (see VisionParameters) only the chosen. Writes at most out.size() of them, returns their number.
+// O(n^2 log n).
+int relate(std::span<const Contour> contours, RelationChoice choice, int relations_max,
+           std::span<Relation> out);
 
 }  // namespace aspect

@@ -90,7 +90,8 @@ ViewGraph Vision::build_graph(const VisionParameters& parameters) {
     blob.first_contour = static_cast<int>(first);
     blob.contour_count = static_cast<int>(own.size());
     blob.first_relation = static_cast<int>(relation_count);
-    blob.relation_count = relate(own, parameters.relations_max, relations_.subspan(relation_count));
+    blob.relation_count = relate(own, parameters.relation_choice, parameters.relations_max,
+                                 relations_.subspan(relation_count));
     relation_count += static_cast<std::size_t>(blob.relation_count);
   }
   return {contours_.first(contour_count), relations_.first(relation_count), blobs, dropped};

@@ -2,9 +2,15 @@
 // when frames are recognised, but for those that say otherwise.
 #pragma once
 
+#include <cstdint>
+
 #include "runtime/vision/frame.h"
 
 namespace aspect {
+
+// Which arcs of the graph come first (thesis 3.2.2): the shortest; those between large contours, as
+// area over squared length; or those of the minimal spanning tree, and then the shortest.
+enum class RelationChoice : std::uint8_t { nearest, important, tree };
 
 struct VisionParameters {
   // Pixels whose r + g + b is less are background, 0..765. Typical 48 for a black background,
@@ -39,8 +45,10 @@ struct VisionParameters {
   // so when compiling.
   bool one_blob = false;
 
-  // Arcs kept for each blob, shortest first; 0 keeps all.
+  // Arcs kept for each blob, in the order that relation_choice says; 0 keeps all, and of a tree
+  // its own.
   int relations_max = 0;
+  RelationChoice relation_choice = RelationChoice::nearest;
 
   // The part of the frame that is looked at; empty: all of it. May differ from frame to frame.
   Box region_of_interest;

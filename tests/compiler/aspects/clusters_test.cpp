@@ -51,7 +51,7 @@ bool match(const CompiledModel& model, PatchId a, PatchId b) {
   if (from == to) return true;
   const auto& views = model.subdivision.views;
   return match_graphs(views[place_of(from)], views[place_of(to)], model.options.match_scales,
-                      model.options.cluster_threshold)
+                      model.options.match_limits())
              .cost <= model.options.cluster_threshold;
 }
 

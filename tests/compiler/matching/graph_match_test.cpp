@@ -15,7 +15,7 @@ namespace aspect {
 namespace {
 
 constexpr double kStep_rad = std::numbers::pi / 8;  // of the 16-way directions
-constexpr double kAnyCost = 1e12;
+const MatchLimits kAnyCost{.cost = 1e12};
 
 // Views keep their attributes as floats, which a turn rounds: about 1e-7 / 0.05, squared, is 1e-11
 // of a unit, and 1e-3 is far above that and far below every true difference.
@@ -34,7 +34,7 @@ struct Pair {
 
 // From the same view twice to views that have nothing to do with each other.
 Pair random_pair(std::mt19937& random, int round) {
-  const std::size_t count = 1 + static_cast<std::size_t>(round) % 7;
+  const std::size_t count = 1 + static_cast<std::size_t>(round) % 8;
   const ObservedView a = random_view(random, count);
   const double noise = std::array{0.0, 0.01, 0.1}[static_cast<std::size_t>(round / 7) % 3];
   const bool other = round % 5 == 0;
@@ -84,7 +84,7 @@ TEST_CASE("a view matches itself at no cost") {
   std::mt19937 random(3);
   for (std::size_t count = 1; count <= 20; ++count) {
     const ObservedView view = random_view(random, count);
-    const GraphMatch match = match_graphs(view, view, MatchScales{}, 0);
+    const GraphMatch match = match_graphs(view, view, MatchScales{}, {.cost = 0});
     INFO(count << " contours");
     CHECK(match.cost < 1e-9);
     CHECK(is_permutation_of(match.mapping, count));
@@ -129,12 +129,13 @@ TEST_CASE("giving up prunes the search but changes no result that is accepted") 
     const Pair pair = random_pair(random, round);
     const GraphMatch free = match_graphs(pair.a, pair.b, scales, kAnyCost);
     for (const double factor : {1.0 + 1e-9, 1.5, 10.0}) {
-      const GraphMatch limited = match_graphs(pair.a, pair.b, scales, free.cost * factor + 1e-9);
+      const GraphMatch limited =
+          match_graphs(pair.a, pair.b, scales, {.cost = free.cost * factor + 1e-9});
       CHECK(limited.mapping == free.mapping);
       CHECK(limited.cost == free.cost);
     }
     if (free.cost < kNothing) continue;
-    const GraphMatch none = match_graphs(pair.a, pair.b, scales, free.cost * (1 - 1e-9));
+    const GraphMatch none = match_graphs(pair.a, pair.b, scales, {.cost = free.cost * (1 - 1e-9)});
     CHECK(none.cost == kNoMatch);
     CHECK(none.mapping.empty());
     ++refused;

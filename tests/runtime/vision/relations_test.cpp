@@ -25,9 +25,10 @@ Contour contour_at(float x, float y, std::uint16_t region, std::uint16_t inside 
 }
 
 std::vector<Relation> relations_of(const std::vector<Contour>& contours, int relations_max = 0,
-                                   std::size_t room = 4096) {
+                                   std::size_t room = 4096,
+                                   RelationChoice choice = RelationChoice::nearest) {
   std::vector<Relation> out(room);
-  out.resize(static_cast<std::size_t>(relate(contours, relations_max, out)));
+  out.resize(static_cast<std::size_t>(relate(contours, choice, relations_max, out)));
   return out;
 }
 
@@ -44,6 +45,30 @@ std::vector<Contour> scattered(std::mt19937& random, int count) {
   for (int i = 0; i < count; ++i)
     contours.push_back(contour_at(place(random), place(random), static_cast<std::uint16_t>(i + 1)));
   return contours;
+}
+
+double distance(const Contour& a, const Contour& b) {
+  return std::hypot(static_cast<double>(a.centre_px.x) - static_cast<double>(b.centre_px.x),
+                    static_cast<double>(a.centre_px.y) - static_cast<double>(b.centre_px.y));
+}
+
+// Length of the minimal spanning tree, grown from contour 0 (Prim 1957).
+double prim_length(const std::vector<Contour>& contours) {
+  std::vector<double> nearest;
+  for (const Contour& contour : contours) nearest.push_back(distance(contours[0], contour));
+  std::vector<bool> joined(contours.size(), false);
+  joined[0] = true;
+  double length = 0;
+  for (std::size_t round = 1; round < contours.size(); ++round) {
+    std::size_t next = 0;
+    for (std::size_t k = 1; k < contours.size(); ++k)
+      if (!joined[k] && (joined[next] || nearest[k] < nearest[next])) next = k;
+    joined[next] = true;
+    length += nearest[next];
+    for (std::size_t k = 0; k < contours.size(); ++k)
+      nearest[k] = std::min(nearest[k], distance(contours[next], contours[k]));
+  }
+  return length;
 }
 
 }  // namespace
@@ -206,6 +231,32 @@ TEST_CASE("the greatest number of relations keeps the shortest, in order") {
       return std::tuple(p.from, p.to) < std::tuple(q.from, q.to);
     }));
     for (const Relation& r : kept) REQUIRE(relation(all, r.from, r.to).direction == r.direction);
+  }
+}
+
+TEST_CASE("important relations join the large contours first") {
+  std::mt19937 random(31);
+  std::vector<Contour> contours = scattered(random, 12);
+  for (std::size_t k = 0; k < contours.size(); ++k) contours[k].area_px = k < 4 ? 1e9F : 10;
+  const std::vector<Relation> kept = relations_of(contours, 12, 4096, RelationChoice::important);
+  REQUIRE(kept.size() == 12);
+  for (const Relation& r : kept) CHECK((r.from < 4 && r.to < 4));
+}
+
+TEST_CASE("the tree of relations joins all contours at the least length") {
+  std::mt19937 random(32);
+  for (std::size_t count = 2; count <= 40; ++count) {
+    const std::vector<Contour> contours = scattered(random, static_cast<int>(count));
+    const std::vector<Relation> tree = relations_of(contours, 0, 4096, RelationChoice::tree);
+    REQUIRE(tree.size() == 2 * (count - 1));
+    double length = 0;
+    for (const Relation& r : tree) length += distance(contours[r.from], contours[r.to]) / 2;
+    CHECK(length == Approx(prim_length(contours)));
+    for (const Relation& r : tree) relation(tree, r.to, r.from);
+    const std::vector<Relation> more =
+        relations_of(contours, static_cast<int>(2 * count + 4), 4096, RelationChoice::tree);
+    CHECK(more.size() == std::min(2 * count + 4, count * (count - 1)));
+    for (const Relation& r : tree) relation(more, r.from, r.to);
   }
 }
 
