@@ -52,7 +52,7 @@ OptionValue value_of(const Option& option, const CompileSettings& settings) {
 std::string option_lines(const Option& option, const CompileSettings& settings) {
   const OptionText& text = option.text;
   std::string about(text.meaning);
-  if (!text.advice.empty()) about += fmt::format(". {}", text.advice);
+  if (!text.advice.empty()) about += fmt::format("; {}", text.advice);
   about +=
       fmt::format(" ({}{}{})", text.unit, text.unit.empty() ? "" : "; ", form_text(option.form));
   return wrapped_comment(about) +

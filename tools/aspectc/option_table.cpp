@@ -15,7 +15,10 @@ constexpr std::string_view kCamera = "camera", kLight = "light", kSegmentation =
                            kSubdivision = "subdivision", kClasses = "classes", kIndex = "index",
                            kRun = "run";
 
+// In the order of the enumerations.
 constexpr std::array<std::string_view, 3> kScorings = {"none", "views", "area"};
+
+constexpr std::array<std::string_view, 3> kRelationChoices = {"nearest", "importance", "tree"};
 
 // Far beyond any lens or object; it keeps the arithmetic of projections from overflowing.
 constexpr double kMost = 1e6, kLeast = 1e-6;
@@ -166,6 +169,11 @@ void add_segmentation(std::vector<Option>& all) {
 
 void add_relations(std::vector<Option>& all) {
   all.push_back(option(
+      {kRelations, "choice", "--relations", "", "which arcs of the graph come first",
+       "the shortest, those between large contours, or a spanning tree and then the shortest"},
+      WordForm{kRelationChoices},
+      [](auto& s) -> auto& { return s.options.vision.relation_choice; }));
+  all.push_back(option(
       {kRelations, "count", "--relations-count", "",
        "arcs of the graph kept for each object; 0: all", "fewer match faster and tell less"},
       WholeForm{{0, kMaxRelations}},
@@ -199,6 +207,10 @@ void add_matching(std::vector<Option>& all) {
   add_scale(
       "kind", "--kind-scale", "arcs", "the same of inside against outside and so on",
       [](auto& s) -> auto& { return s.options.match_scales.kind; });
+  all.push_back(option(
+      {kMatching, "limit_ms", "--match-limit-ms", "ms", "search time of one match; 0: any",
+       "0, since with a limit the result depends on the machine; 1000 ends a run that hangs"},
+      NumberForm{{0, kMost}}, [](auto& s) -> auto& { return s.options.match_limit_ms; }));
 }
 
 void add_subdivision(std::vector<Option>& all) {
@@ -216,6 +228,16 @@ void add_subdivision(std::vector<Option>& all) {
        "largest match cost between the views of a patch that is not split",
        "10000: one step in every contour; higher: fewer views, until aspects merge"},
       NumberForm{{1e-3, 1e15}}, [](auto& s) -> auto& { return s.options.threshold; }));
+  all.push_back(option(
+      {kSubdivision, "stop_area", "--stop-area", "of the sphere",
+       "splitting ends where this share lies in uniform patches; 1: at the finest level",
+       "0.9 to 0.98; higher finds narrower aspects and takes more views"},
+      NumberForm{{kLeast, 1}}, [](auto& s) -> auto& { return s.options.stop_area; }));
+  all.push_back(option(
+      {kSubdivision, "divide_borders", "--divide-borders", "",
+       "patches of the last level that straddle a border are divided along it",
+       "covers more of the sphere"},
+      TruthForm{}, [](auto& s) -> auto& { return s.options.divide_borders; }));
 }
 
 void add_classes(std::vector<Option>& all) {
