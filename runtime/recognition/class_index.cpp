@@ -30,6 +30,8 @@ Problem check_structure(std::span<const std::byte> bytes) {
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   constexpr std::size_t kSmallest = 16;
   if (bytes.empty()) return {"is empty; an index of a few KiB was expected"};
+  if (bytes.size() >= kSmallest && flatbuffers::BufferHasIdentifier(data, "ASPB"))
+    return {"holds the indexes of several objects; give one of a single object"};
   if (bytes.size() < kSmallest ||
       !flatbuffers::BufferHasIdentifier(data, fb::ClassIndexIdentifier()))
     return {"is not a class index (no ASPX identifier); give a .aspect file made by aspectc"};

@@ -179,6 +179,10 @@ std::string TableReader::place_of(std::string_view key) const {
 void TableReader::fail_at(std::uint32_t line, std::string message) {
   if (error_ && error_line_ <= line) return;
   error_line_ = line;
+  // Keys and texts of a file may hold line breaks, and a message is one line.
+  std::replace_if(
+      message.begin(), message.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
   error_ = fmt::format("{}:{}: {}", file_, line, message);
 }
 

@@ -184,7 +184,8 @@ TEST_CASE("a written project has every key, and each is at what it would be with
     if (option.text.table == "camera" && option.text.key.size() == 2)
       keys = {"fx", "fy", "cx", "cy"};
     for (const std::string& key : keys) {
-      const std::size_t place = commented.find("\n# " + key + " = ");
+      const std::size_t place = commented.find(
+          "\n# " + key + " = ", commented.find("\n[" + std::string(option.text.table) + "]\n"));
       INFO(key_name(option));
       REQUIRE(place != std::string::npos);
       commented.erase(place + 1, 2);
