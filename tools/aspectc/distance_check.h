@@ -13,7 +13,8 @@ namespace aspect {
 double fitting_radius_at(const Studio& studio, double distance);
 
 // Pixels of the smallest contour as seen from 42 directions at that distance: for each primitive
-// the largest contour that most of it is part of, and of these the least. 0 where nothing is seen.
+// the largest contour of its colour that most of it is part of, and of these the least. 0 where
+// nothing is seen.
 struct SmallestContour {
   int area_px = 0;
   int surface = 0;  // the primitive's number, from 1
