@@ -20,6 +20,10 @@ Intrinsics intrinsics_of(const Studio& studio) {
   Intrinsics result;
   result.width_px = studio.width_px;
   result.height_px = studio.height_px;
+  if (studio.lens) {
+    const Lens& lens = *studio.lens;
+    return {studio.width_px, studio.height_px, lens.fx_px, lens.fy_px, lens.cx_px, lens.cy_px};
+  }
   const double half_angle = studio.angle_deg * std::numbers::pi / 360;
   result.fx_px = studio.width_px / (2 * std::tan(half_angle));
   result.fy_px = result.fx_px * studio.aspect * studio.height_px / studio.width_px;
@@ -44,6 +48,10 @@ Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object, 
   camera.camera_from_object.row(2) = z;
   camera.position_object = studio.at + distance * direction_object;
   return camera;
+}
+
+Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object) {
+  return camera_at(studio, direction_object, studio.distance);
 }
 
 }  // namespace aspect

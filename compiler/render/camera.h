@@ -20,14 +20,15 @@ struct Camera {
   Eigen::Vector3d position_object;     // camera centre in object coordinates
 };
 
-// fx = width / 2 / tan(angle / 2); square pixels unless the studio's aspect differs from the
-// resolution's.
+// The studio's lens where it has one, otherwise fx = width / 2 / tan(angle / 2); square pixels
+// unless the studio's aspect differs from the resolution's.
 Intrinsics intrinsics_of(const Studio& studio);
 
 // The camera at studio.at + distance * direction_object (a unit vector), looking at studio.at with
 // studio.up upwards: z = -direction, x = normalised cross(z, up), y = cross(z, x). Where up is
 // parallel to the direction, another axis stands in for it, always the same one.
-Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object,
-                 double distance = 1.0);
+Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object, double distance);
+// At the studio's own distance.
+Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object);
 
 }  // namespace aspect

@@ -105,8 +105,7 @@ void BobParser::warn_where_it_leaves_the_picture() {
       scale > 0 ? fmt::format("scale the whole object by {:g}", scale)
                 : std::string("centre it at the origin, set at 0 0 0 and scale it down");
   warnings_.add(words_, primitive_words_[farthest],
-                fmt::format("the object leaves the picture at distance {:g}: its radius is {:.4g}, "
-                            "{:.4g} fits; {}",
+                fmt::format("{} {:g}: its radius is {:.4g}, {:.4g} fits; {}", kLeavesPicture,
                             kCompileDistance, radius, fitting, advice));
 }
 

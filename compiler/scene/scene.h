@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -60,6 +61,12 @@ struct PointLight {
   bool casts_shadows = true;
 };
 
+// Of a calibrated camera; pixel centres are at whole numbers.
+struct Lens {
+  double fx_px = 0, fy_px = 0;  // focal lengths
+  double cx_px = 0, cy_px = 0;  // principal point
+};
+
 // The picture-taking half of a scene: the camera stands on the viewing sphere and looks at `at`.
 struct Studio {
   Eigen::Vector3d at{0, 0, 0};
@@ -67,7 +74,9 @@ struct Studio {
   double angle_deg = 45;  // full horizontal field of view
   int width_px = 512;
   int height_px = 512;
-  double aspect = 1;  // picture width / height
+  double aspect = 1;         // picture width / height
+  std::optional<Lens> lens;  // where it is known; angle_deg and aspect are then what it makes them
+  double distance = 1;       // of the camera from `at`
   Eigen::Vector3d ambient{0, 0, 0};
   Eigen::Vector3d background{0, 0, 0};
 };

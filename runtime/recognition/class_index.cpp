@@ -30,6 +30,8 @@ Problem check_structure(std::span<const std::byte> bytes) {
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   constexpr std::size_t kSmallest = 16;
   if (bytes.empty()) return {"is empty; an index of a few KiB was expected"};
+  if (bytes.size() >= kSmallest && flatbuffers::BufferHasIdentifier(data, "ASPB"))
+    return {"holds the indexes of several objects; give one of a single object"};
   if (bytes.size() < kSmallest ||
       !flatbuffers::BufferHasIdentifier(data, fb::ClassIndexIdentifier()))
     return {"is not a class index (no ASPX identifier); give a .aspect file made by aspectc"};
@@ -215,7 +217,7 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   return index;
 }
 
-Result<ClassIndex> load_index(const std::filesystem::path& file) {
+Result<IndexFileBytes> read_index_bytes(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error)
@@ -224,14 +226,20 @@ Result<ClassIndex> load_index(const std::filesystem::path& file) {
   if (size > kMaxIndexBytes)
     return Error{file.string() + ": has " + std::to_string(size) +
                  " bytes, too many for a class index; give a .aspect file made by aspectc"};
-  // FlatBuffers needs its buffer aligned as its largest scalar.
-  std::vector<std::uint64_t> words(static_cast<std::size_t>(size) / sizeof(std::uint64_t) + 1);
+  IndexFileBytes read;
+  read.size = static_cast<std::size_t>(size);
+  read.words.resize(read.size / sizeof(std::uint64_t) + 1);
   std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(size));
+  stream.read(reinterpret_cast<char*>(read.words.data()), static_cast<std::streamsize>(size));
   if (stream.gcount() != static_cast<std::streamsize>(size))
     return Error{file.string() + ": could not be read to its end; check the disk"};
-  return parse_index(std::as_bytes(std::span(words)).first(static_cast<std::size_t>(size)),
-                     file.string());
+  return read;
+}
+
+Result<ClassIndex> load_index(const std::filesystem::path& file) {
+  const Result<IndexFileBytes> read = read_index_bytes(file);
+  if (!read) return Error{read.error()};
+  return parse_index(read.value().bytes(), file.string());
 }
 
 }  // namespace aspect

@@ -87,6 +87,15 @@ struct ClassIndex {
 Result<ClassIndex> load_index(const std::filesystem::path& file);
 Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::string& name);
 
+// A file of at most kMaxIndexBytes, aligned as FlatBuffers needs it: as its largest scalar.
+struct IndexFileBytes {
+  std::vector<std::uint64_t> words;
+  std::size_t size = 0;
+
+  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(words)).first(size); }
+};
+Result<IndexFileBytes> read_index_bytes(const std::filesystem::path& file);
+
 // FNV-1a of an index file's bytes with the eight of its checksum field taken as zero.
 std::uint64_t index_checksum(std::span<const std::byte> bytes, std::size_t checksum_offset);
 

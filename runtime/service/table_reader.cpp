@@ -103,6 +103,24 @@ void TableReader::read(std::string_view key, ClosedRange<int> range,
   value = read;
 }
 
+void TableReader::read(std::string_view key, std::size_t count, ClosedRange<double> range,
+                       std::optional<std::vector<double>>& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const std::string wanted =
+      fmt::format("an array of {} numbers from {} to {}", count, range.least, range.most);
+  const toml::array* numbers = node->as_array();
+  if (numbers == nullptr || numbers->size() != count) return refuse(key, *node, wanted);
+  std::vector<double> read;
+  for (const toml::node& element : *numbers) {
+    const auto number = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!number || !(*number >= range.least && *number <= range.most))
+      return refuse(key, element, wanted);
+    read.push_back(*number);
+  }
+  value = std::move(read);
+}
+
 void TableReader::read(std::string_view key, std::span<const std::string_view> words,
                        std::optional<std::size_t>& value) {
   const toml::node* node = find(key);
@@ -118,6 +136,25 @@ const toml::table* TableReader::table(std::string_view key) {
   const toml::node* node = find(key);
   if (node != nullptr && !node->is_table()) refuse(key, *node, "a table");
   return node == nullptr ? nullptr : node->as_table();
+}
+
+std::vector<const toml::table*> TableReader::tables(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const std::string wanted = fmt::format("a list of tables, [[{}]]", key);
+  const toml::array* elements = node->as_array();
+  if (elements == nullptr) {
+    refuse(key, *node, wanted);
+    return {};
+  }
+  std::vector<const toml::table*> found;
+  for (const toml::node& element : *elements) {
+    if (element.is_table())
+      found.push_back(element.as_table());
+    else
+      refuse(key, element, wanted);
+  }
+  return found;
 }
 
 void TableReader::fail(std::string_view key, std::string_view what) {
@@ -142,6 +179,10 @@ std::string TableReader::place_of(std::string_view key) const {
 void TableReader::fail_at(std::uint32_t line, std::string message) {
   if (error_ && error_line_ <= line) return;
   error_line_ = line;
+  // Keys and texts of a file may hold line breaks, and a message is one line.
+  std::replace_if(
+      message.begin(), message.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
   error_ = fmt::format("{}:{}: {}", file_, line, message);
 }
 

@@ -33,11 +33,16 @@ class TableReader {
   void read(std::string_view key, std::optional<bool>& value);
   void read(std::string_view key, std::optional<std::string>& value);
   void read(std::string_view key, ClosedRange<int> range, std::optional<std::array<int, 4>>& value);
+  // An array of that many numbers.
+  void read(std::string_view key, std::size_t count, ClosedRange<double> range,
+            std::optional<std::vector<double>>& value);
   // The value becomes the place of the word found.
   void read(std::string_view key, std::span<const std::string_view> words,
             std::optional<std::size_t>& value);
   // A table in this one, null where there is none.
   const toml::table* table(std::string_view key);
+  // The tables of a [[key]], none where there is none.
+  std::vector<const toml::table*> tables(std::string_view key);
 
   // Says of a key that is there what is wrong with it, of one that is not that it is missing.
   void fail(std::string_view key, std::string_view what);

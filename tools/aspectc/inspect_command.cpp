@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/recognition/class_index.h"
+#include "runtime/recognition/index_bundle.h"
 #include "runtime/service/recognition_json.h"
 #include "tools/aspectc/inspect_store.h"
 
@@ -92,15 +93,19 @@ CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
 
 int run_inspect(const InspectCommand& command) {
   if (is_store(command.index)) return run_inspect_store(command.index, command.json);
-  const Result<ClassIndex> index = load_index(command.index);
-  if (!index) {
-    fmt::print(stderr, "aspectc: {}\n", index.error());
+  const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
+  if (!indexes) {
+    fmt::print(stderr, "aspectc: {}\n", indexes.error());
     return 1;
   }
-  if (command.json)
-    fmt::print("{}\n", index_json(index.value()).dump(2));
-  else
-    print_index(index.value());
+  Json list = Json::array();
+  for (const ClassIndex& index : indexes.value()) {
+    if (command.json)
+      list.push_back(index_json(index));
+    else
+      print_index(index);
+  }
+  if (command.json) fmt::print("{}\n", (list.size() == 1 ? list.front() : list).dump(2));
   return 0;
 }
 

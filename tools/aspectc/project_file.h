@@ -1,22 +1,43 @@
-// NAME.toml: a compile project. It names the scene and says what is to be done otherwise.
-//   scene = "part.b"      # relative to the project
-//   [segmentation]        # the keys of VisionParameters; the index keeps them for the runtime
+// NAME.toml: a compile project. It names the scenes and says what is to be done otherwise; `aspectc
+// init` writes one with every key.
+//   scene = "part.b"          # relative to the project
+//   name = "part"             # of the object [the scene's]
+//   [subdivision]             # the tables of option_table.h
+//   level = 6
+//   [[light.point]]           # instead of the scene's lamps: position, colour, shadows
+//   [[surface]]               # index = N or colour = [r, g, b]; new diffuse and ambient
+//   [mesh]
+//   colours = {0 = [1, 0, 0]} # of the parts of a mesh without colours
+// Instead of the scene, or beside what holds for all objects:
+//   [[object]]                # scene, name and any of the tables, as [object.subdivision]
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "runtime/base/result.h"
-#include "runtime/vision/vision_parameters.h"
+#include "tools/aspectc/compile_settings.h"
 
 namespace aspect {
 
-struct Project {
+struct ProjectObject {
   std::filesystem::path scene;
-  VisionParameters vision;
+  std::string name;  // empty: the scene's
+  CompileSettings settings;
 };
 
-// Errors name file and line: unknown keys with the nearest known one, wrong types, no scene. A
-// region of interest is that of a frame and is left out.
+struct Project {
+  std::vector<ProjectObject> objects;
+  bool has_list = false;  // written as [[object]], even where it is a single one
+};
+
+inline constexpr std::size_t kMaxProjectObjects = 64;
+
+// Errors name file and line: unknown keys with the nearest known one, wrong types, numbers out of
+// range, options that contradict each other, no scene.
 Result<Project> read_project(const std::filesystem::path& file);
+Result<Project> parse_project(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace aspect

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "compiler/aspects/observer.h"
-#include "compiler/scene/scene_reader.h"
+#include "tools/aspectc/prepared_object.h"
 #include "tools/aspectc/whole_file.h"
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/region_draw.h"
@@ -22,7 +22,8 @@ int fail(const std::string& message) {
 
 CLI::App* add_render_command(CLI::App& app, RenderCommand& command) {
   CLI::App* render = app.add_subcommand("render", "Render one view of a scene.");
-  render->add_option("scene", command.scene, "scene (.b) or mesh")->required();
+  render->add_option("scene", command.scene, "scene (.b) or mesh, or a project with one (.toml)")
+      ->required();
   render->add_option("--from", command.from, "direction of the camera, X,Y,Z of any length")
       ->delimiter(',')
       ->expected(3)
@@ -34,7 +35,7 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& command) {
 }
 
 int run_render(const RenderCommand& command) {
-  const Result<Scene> scene = read_scene(command.scene);
+  const Result<Scene> scene = read_prepared_scene(command.scene);
   if (!scene) return fail(scene.error());
   const Result<Renderer> renderer = Renderer::create(scene.value());
   if (!renderer) return fail(command.scene + ": " + renderer.error());

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "compiler/compile.h"
 
 namespace aspect {
 
-std::string statistics_json(const CompileStatistics& statistics);
+// Of each object; without a list there is one, on its own.
+std::string statistics_json(const std::vector<CompileStatistics>& all, bool as_list);
 
 }  // namespace aspect

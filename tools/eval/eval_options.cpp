@@ -46,10 +46,12 @@ void add_files(CLI::App& app, const std::string& name, std::vector<std::string>&
 
 void add_options(CLI::App& app, RawOptions& raw) {
   constexpr int kMostViews = 1'000'000;
-  add_files(app, "--index", raw.indexes, "class index of an object; repeat both for more objects",
-            "FILE.aspect");
-  add_files(app, "--scene", raw.scenes, "the scene it was compiled from, in the same order",
-            "FILE.b");
+  add_files(app, "--index", raw.indexes,
+            "class index of an object or of several; repeat both for more", "FILE.aspect");
+  add_files(app, "--scene", raw.scenes,
+            "the scene or the project it was compiled from, in the same order; one for "
+            "each object",
+            "FILE.b|FILE.toml");
   app.add_option("--views", raw.options.views, "random viewpoints for each object [100]")
       ->check(CLI::Range(1, kMostViews).description(""))
       ->type_name("N");
@@ -79,6 +81,11 @@ EvalOptions finished(RawOptions raw) {
 
 }  // namespace
 
+std::string pairs_needed(std::size_t indexes, std::size_t scenes) {
+  return fmt::format("{} --index but {} --scene; give them in pairs, see aspect-eval --help",
+                     indexes, scenes);
+}
+
 std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* argv) {
   CLI::App app(kDescription, "aspect-eval");
   app.footer(kFooter);
@@ -86,11 +93,8 @@ std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* a
   RawOptions raw;
   add_options(app, raw);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
-  if (raw.indexes.size() != raw.scenes.size()) {
-    fmt::print(stderr,
-               "aspect-eval: {} --index but {} --scene; give them in pairs, see aspect-eval "
-               "--help\n",
-               raw.indexes.size(), raw.scenes.size());
+  if (raw.indexes.size() > raw.scenes.size()) {
+    fmt::print(stderr, "aspect-eval: {}\n", pairs_needed(raw.indexes.size(), raw.scenes.size()));
     return kUsageError;
   }
   return finished(std::move(raw));

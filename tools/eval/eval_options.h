@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -11,13 +12,16 @@
 namespace aspect {
 
 struct EvalOptions {
-  std::vector<std::filesystem::path> indexes, scenes;  // pairs
+  std::vector<std::filesystem::path> indexes, scenes;  // pairs, once files of several are opened
   int views = 100;
   std::uint64_t seed = 1;
   Matching matching = Matching::weighted;
   RecogniserParameters::Ranking ranking = RecogniserParameters::Ranking::views;
   bool json = false;
 };
+
+// The complaint where indexes and scenes are not as many.
+std::string pairs_needed(std::size_t indexes, std::size_t scenes);
 
 // The options, or the exit code after help, version or a complaint have been printed.
 std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* argv);

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "compiler/scene/scene_reader.h"
+#include "tools/aspectc/prepared_object.h"
 #include "tools/eval/object_symmetry.h"
 #include "tools/eval/random_directions.h"
 #include "tools/replay/sized_recogniser.h"
@@ -134,14 +134,20 @@ Result<EvaluatedObject> EvaluatedObject::load(const std::filesystem::path& index
                                               const std::filesystem::path& scene_file) {
   Result<ClassIndex> index = load_index(index_file);
   if (!index) return Error{index.error()};
-  Result<Scene> scene = read_scene(scene_file);
+  return create(index_file, std::move(index).value(), scene_file);
+}
+
+Result<EvaluatedObject> EvaluatedObject::create(const std::filesystem::path& index_file,
+                                                ClassIndex index,
+                                                const std::filesystem::path& scene_file) {
+  Result<Scene> scene = read_prepared_scene(scene_file);
   if (!scene) return Error{scene.error()};
   Result<Renderer> renderer = Renderer::create(scene.value());
   if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};
-  Result<ClassViews> views = ClassViews::create(index.value());
+  Result<ClassViews> views = ClassViews::create(index);
   if (!views) return Error{index_file.native() + ": " + views.error()};
   std::vector<Eigen::Matrix3d> rotations = object_rotations(scene.value());
-  return EvaluatedObject{index_file.native(),      std::move(index).value(),
+  return EvaluatedObject{index_file.native(),      std::move(index),
                          std::move(scene).value(), std::move(renderer).value(),
                          std::move(views).value(), std::move(rotations)};
 }

@@ -29,6 +29,9 @@ struct EvaluatedObject {
 
   static Result<EvaluatedObject> load(const std::filesystem::path& index,
                                       const std::filesystem::path& scene);
+  // With an index that is loaded; its file is named in messages.
+  static Result<EvaluatedObject> create(const std::filesystem::path& index_file, ClassIndex index,
+                                        const std::filesystem::path& scene);
 };
 
 inline constexpr std::array<int, 5> kReportedRanks = {1, 2, 3, 5, 10};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "runtime/recognition/index_bundle.h"
+#include "tools/command_line/command_line.h"
 #include "tools/eval/evaluation_json.h"
 #include "tools/eval/evaluation_text.h"
 #include "tools/replay/console.h"
@@ -28,10 +30,32 @@ void warn_of_misfit(const EvaluatedObject& object, const std::string& scene_file
                     object.index_file, scene_file));
 }
 
-std::vector<EvaluatedObject> load_objects(const EvalOptions& options, Console& console) {
+// One for each object: a file may hold several.
+struct NamedIndex {
+  std::filesystem::path file;
+  ClassIndex index;
+};
+
+std::vector<NamedIndex> load_index_files(const EvalOptions& options, Console& console) {
+  std::vector<NamedIndex> all;
+  for (const std::filesystem::path& file : options.indexes) {
+    Result<std::vector<ClassIndex>> indexes = load_index_file(file);
+    if (!indexes) {
+      console.fail(indexes.error());
+      continue;
+    }
+    for (ClassIndex& index : indexes.value()) all.push_back({file, std::move(index)});
+  }
+  return all;
+}
+
+std::vector<EvaluatedObject> load_objects(std::vector<NamedIndex> indexes,
+                                          const EvalOptions& options, Console& console) {
   std::vector<EvaluatedObject> objects;
-  for (std::size_t k = 0; k < options.indexes.size(); ++k) {
-    Result<EvaluatedObject> object = EvaluatedObject::load(options.indexes[k], options.scenes[k]);
+  for (std::size_t k = 0; k < indexes.size(); ++k) {
+    const std::filesystem::path& file = indexes[k].file;
+    Result<EvaluatedObject> object =
+        EvaluatedObject::create(file, std::move(indexes[k].index), options.scenes[k]);
     if (!object) {
       console.fail(object.error());
       continue;
@@ -41,7 +65,7 @@ std::vector<EvaluatedObject> load_objects(const EvalOptions& options, Console& c
     });
     if (same != objects.end()) {
       console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out",
-                               options.indexes[k].native(), same->index.object, same->index_file));
+                               file.native(), same->index.object, same->index_file));
       continue;
     }
     warn_of_misfit(object.value(), options.scenes[k].native(), console);
@@ -54,7 +78,13 @@ std::vector<EvaluatedObject> load_objects(const EvalOptions& options, Console& c
 
 int run_evaluation(const EvalOptions& options) {
   Console console("aspect-eval");
-  const std::vector<EvaluatedObject> objects = load_objects(options, console);
+  std::vector<NamedIndex> indexes = load_index_files(options, console);
+  if (console.failures() > 0) return 1;
+  if (indexes.size() != options.scenes.size()) {
+    console.fail(pairs_needed(indexes.size(), options.scenes.size()));
+    return kUsageError;
+  }
+  const std::vector<EvaluatedObject> objects = load_objects(std::move(indexes), options, console);
   if (console.failures() > 0) return 1;
   Evaluation evaluation;
   evaluation.settings = {options.views, options.seed, options.matching, options.ranking};

@@ -5,6 +5,8 @@
 #include <string>
 #include <system_error>
 
+#include "runtime/recognition/index_bundle.h"
+
 namespace aspect {
 namespace {
 
@@ -33,42 +35,50 @@ bool is_among(const fs::path& file, std::span<const fs::path> others) {
   });
 }
 
+// The indexes of a run so far and the files that they came from.
+struct IndexSet {
+  std::vector<ClassIndex> indexes;
+  std::vector<fs::path> files;
+};
+
+void add_index(const fs::path& file, ClassIndex index, IndexSet& set, Console& console) {
+  const auto same =
+      std::find_if(set.indexes.begin(), set.indexes.end(),
+                   [&](const ClassIndex& other) { return other.object == index.object; });
+  if (same != set.indexes.end()) {
+    const auto place = static_cast<std::size_t>(same - set.indexes.begin());
+    console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out",
+                             file.native(), same->object, set.files[place].native()));
+    return;
+  }
+  const std::string different =
+      set.indexes.empty() ? "" : differences(set.indexes.front().vision, index.vision);
+  if (!different.empty())
+    console.warn(
+        fmt::format("{}: compiled with another [segmentation] than {}, whose values are "
+                    "used: {}",
+                    file.native(), set.files.front().native(), different));
+  set.indexes.push_back(std::move(index));
+  set.files.push_back(file);
+}
+
 }  // namespace
 
 std::vector<ClassIndex> load_indexes(std::span<const fs::path> files, Console& console) {
-  std::vector<ClassIndex> indexes;
-  std::vector<fs::path> used;
+  IndexSet set;
   for (const fs::path& file : files) {
-    const std::string& name = file.native();
-    if (is_among(file, used)) {
-      console.fail(name + ": given twice as --index; leave one out");
+    if (is_among(file, set.files)) {
+      console.fail(file.native() + ": given twice as --index; leave one out");
       continue;
     }
-    Result<ClassIndex> index = load_index(file);
-    if (!index) {
-      console.fail(index.error());
+    Result<std::vector<ClassIndex>> indexes = load_index_file(file);
+    if (!indexes) {
+      console.fail(indexes.error());
       continue;
     }
-    const auto same = std::find_if(indexes.begin(), indexes.end(), [&](const ClassIndex& other) {
-      return other.object == index.value().object;
-    });
-    if (same != indexes.end()) {
-      const auto place = static_cast<std::size_t>(same - indexes.begin());
-      console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out", name,
-                               same->object, used[place].native()));
-      continue;
-    }
-    const std::string different =
-        indexes.empty() ? "" : differences(indexes.front().vision, index.value().vision);
-    if (!different.empty())
-      console.warn(
-          fmt::format("{}: compiled with another [segmentation] than {}, whose values are "
-                      "used: {}",
-                      name, used.front().native(), different));
-    indexes.push_back(std::move(index).value());
-    used.push_back(file);
+    for (ClassIndex& index : indexes.value()) add_index(file, std::move(index), set, console);
   }
-  return indexes;
+  return std::move(set.indexes);
 }
 
 }  // namespace aspect

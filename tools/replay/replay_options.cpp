@@ -53,7 +53,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::optional<Va
 }
 
 void add_inputs(CLI::App& app, RawOptions& raw) {
-  app.add_option("--index", raw.indexes, "class index of an object; repeat it for more objects")
+  app.add_option("--index", raw.indexes,
+                 "class index of an object or of several; repeat it for more")
       ->required()
       ->type_name("FILE.aspect")
       ->allow_extra_args(false)

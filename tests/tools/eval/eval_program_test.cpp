@@ -30,6 +30,10 @@ class Evaluations {
                 "cube.aspect --level 2 --min-level 2 --no-store --progress never")
                 .exit_code == 0);
   }
+  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
+  Outcome compile(const std::string& arguments) const {
+    return run("'" ASPECT_ASPECTC "' " + arguments);
+  }
   Outcome eval(const std::string& arguments) const { return run("'" ASPECT_EVAL "' " + arguments); }
 
  private:
@@ -56,6 +60,28 @@ TEST_CASE("A table is printed, or one JSON object") {
   CHECK(parsed["ranking"] == "classes");
   CHECK(parsed["objects"][0]["views"].size() == 10);
   CHECK_FALSE(parsed.contains("confusion"));
+}
+
+TEST_CASE("A file of several indexes takes a scene or a project for each of its objects") {
+  const Evaluations evaluations;
+  evaluations.write("two.toml",
+                    "[subdivision]\nlevel = 1\nmin_level = 1\n"
+                    "[[object]]\nscene = \"" ASPECT_SOURCE_DIR
+                    "/tests/data/rendered/cube.b\"\n"
+                    "[[object]]\nname = \"far\"\nscene = \"" ASPECT_SOURCE_DIR
+                    "/tests/data/rendered/cube.b\"\n[object.camera]\ndistance = [1, 1.4]\n");
+  evaluations.write("far.toml", "name = \"far\"\nscene = \"" ASPECT_SOURCE_DIR
+                                "/tests/data/rendered/cube.b\"\n[camera]\ndistance = [1, 1.4]\n");
+  REQUIRE(evaluations.compile("two.toml --combined true --no-store").exit_code == 0);
+  const std::string cube = " --scene '" ASPECT_SOURCE_DIR "/tests/data/rendered/cube.b'";
+  const Outcome outcome =
+      evaluations.eval("--index two.aspect" + cube + " --scene far.toml --views 3 --json");
+  CHECK(outcome.err == "");
+  REQUIRE(outcome.exit_code == 0);
+  const auto parsed = nlohmann::json::parse(outcome.out);
+  REQUIRE(parsed["objects"].size() == 2);
+  CHECK(parsed["objects"][1]["object"] == "far");
+  CHECK(evaluations.eval("--index two.aspect" + cube).exit_code == 2);
 }
 
 TEST_CASE("An index that does not belong to the scene gets a warning") {
