@@ -16,6 +16,7 @@
 #include "tools/aspectc/progress_line.h"
 #include "tools/aspectc/project_file.h"
 #include "tools/aspectc/render_command.h"
+#include "tools/aspectc/sensor_option.h"
 #include "tools/aspectc/statistics_json.h"
 #include "tools/aspectc/whole_file.h"
 
@@ -29,7 +30,8 @@ extern "C" void ask_to_stop(int) {
 }
 
 struct CompileCommand {
-  std::string scene, output, store, statistics, progress = "auto", scoring = "views";
+  std::string scene, output, store, statistics, progress = "auto", scoring = "views",
+                                                sensor = std::string(name_of(SensorKind::colour));
   bool no_store = false;
   std::size_t max_index_kib = 100;
   CompileOptions options;
@@ -69,6 +71,7 @@ void CompileCommand::add_to(CLI::App& app) {
   app.add_option("--scoring", scoring, "score of a type: none, by views, or by their area")
       ->check(CLI::IsMember({"none", "views", "area"}))
       ->capture_default_str();
+  add_sensor_option(app, sensor);
   app.add_option("--store", store, "database of views and matches to resume from [NAME.store]");
   app.add_flag("--no-store", no_store, "keep no database; a run that is stopped starts anew");
   app.add_option("--jobs", options.jobs, "threads [one a core]")->check(CLI::Range(1, 1024));
@@ -147,8 +150,9 @@ int CompileCommand::run() {
   options.scoring = scoring == "none"    ? Scoring::none
                     : scoring == "views" ? Scoring::views
                                          : Scoring::area;
+  options.vision = default_parameters(sensor_named(sensor));
   if (std::filesystem::path(scene).extension() == ".toml") {
-    const Result<Project> project = read_project(scene);
+    const Result<Project> project = read_project(scene, options.vision);
     if (!project) return fail(project.error());
     scene = project.value().scene.string();
     options.vision = project.value().vision;

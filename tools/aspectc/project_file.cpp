@@ -7,7 +7,7 @@
 
 namespace aspect {
 
-Result<Project> read_project(const std::filesystem::path& file) {
+Result<Project> read_project(const std::filesystem::path& file, const VisionParameters& vision) {
   std::error_code unreadable;
   if (!std::filesystem::is_regular_file(file, unreadable))
     return Error{file.string() + ": cannot be read; check the path"};
@@ -25,6 +25,7 @@ Result<Project> read_project(const std::filesystem::path& file) {
   const toml::table* segmentation = reader.table("segmentation");
   if (auto error = reader.finish()) return *error;
   Project project;
+  project.vision = vision;
   project.scene = file.parent_path() / *scene;
   if (segmentation != nullptr)
     if (auto error = read_segmentation(*segmentation, file.string(), project.vision)) return *error;

@@ -17,6 +17,7 @@ struct Project {
 
 // Errors name file and line: unknown keys with the nearest known one, wrong types, no scene. A
 // region of interest is that of a frame and is left out.
-Result<Project> read_project(const std::filesystem::path& file);
+// What the project leaves open is as in `vision`.
+Result<Project> read_project(const std::filesystem::path& file, const VisionParameters& vision);
 
 }  // namespace aspect
