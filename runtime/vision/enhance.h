@@ -17,10 +17,10 @@ struct Shares {
   std::span<std::uint8_t> intensity;   // (r + g + b) / 3
   std::span<std::uint8_t> tolerance;   // largest step of a share to a neighbour of the same region
   std::span<std::uint8_t> foreground;  // 255 or 0
-  std::span<std::uint8_t> solid;       // 0 where no core may be, 255 elsewhere; empty: nowhere
-  bool are_codes = false;              // other sensors: the planes' own values and no ratios
   int stride_px = 0;
   Box active;
+  std::span<std::uint8_t> solid{};  // 0 where no core may be, 255 elsewhere; empty: nowhere
+  bool are_codes = false;           // other sensors: the planes' own values and no ratios
 };
 
 Shares take_shares(Arena& arena, int width_px, int height_px);

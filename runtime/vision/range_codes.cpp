@@ -46,13 +46,6 @@ RangeCamera range_camera(int width_px, int height_px, float field_of_view_deg) {
           static_cast<float>(width_px - 1) / 2, static_cast<float>(height_px - 1) / 2};
 }
 
-Normal normal_of_code(const std::array<float, 3>& code) {
-  const float x = (code[0] - kCodeZero) / kTiltScale, y = (code[1] - kCodeZero) / kTiltScale;
-  const float z = 1 - x * x - y * y;
-  const float scale = std::sqrt(std::max(1 + z, 0.0F));
-  return {x * scale, y * scale, z};
-}
-
 std::uint8_t code_step(float normal_step_deg) {
   // Lambert's projection takes an angle to sqrt(2) sin(angle / 2).
   const double half_rad = static_cast<double>(normal_step_deg) * std::numbers::pi / 360;

@@ -16,10 +16,6 @@ struct RangeCamera {
 };
 RangeCamera range_camera(int width_px, int height_px, float field_of_view_deg);
 
-// Camera coordinates, pointing away from the camera (z > 0 but at the rim of wide pictures).
-using Normal = std::array<float, 3>;
-Normal normal_of_code(const std::array<float, 3>& code);
-
 // Largest difference of the codes of two normals that are an angle apart.
 std::uint8_t code_step(float normal_step_deg);
 

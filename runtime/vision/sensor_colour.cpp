@@ -1,8 +1,6 @@
 #include "runtime/vision/sensor_colour.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "runtime/vision/surface_codes.h"
 
@@ -10,10 +8,6 @@ namespace aspect {
 namespace {
 
 constexpr float kAll = 255;
-
-std::array<float, 3> balance(float first_share) {
-  return {kAll * first_share, kAll * (1 - first_share), 0};
-}
 
 }  // namespace
 
@@ -27,20 +21,13 @@ void colour_by_grey(std::span<Contour> contours) {
   const auto mean = static_cast<float>(sum / std::max(area, 1.0));
   for (Contour& contour : contours) {
     const float grey = contour.mean_rgb[0];
-    contour.mean_rgb = balance(grey / std::max(grey + mean, 1.0F));
+    contour.mean_rgb = {kAll * grey / std::max(grey + mean, 1.0F),
+                        kAll * mean / std::max(grey + mean, 1.0F), 0};
   }
 }
 
-void colour_by_slant(const RangeCamera& camera, std::span<Contour> contours) {
-  static const float kSlantShare =
-      std::getenv("SLANT") ? std::strtof(std::getenv("SLANT"), nullptr) : 0.25F;
-  for (Contour& contour : contours) {
-    const Normal normal = normal_of_code(contour.mean_rgb);
-    const float x = (contour.centre_px.x - camera.centre_x_px) / camera.focal_px;
-    const float y = (contour.centre_px.y - camera.centre_y_px) / camera.focal_px;
-    const float along = (normal[0] * x + normal[1] * y + normal[2]) / std::sqrt(x * x + y * y + 1);
-    contour.mean_rgb = balance(kSlantShare * std::clamp(along, 0.0F, 1.0F));
-  }
+void colour_alike(std::span<Contour> contours) {
+  for (Contour& contour : contours) contour.mean_rgb = {kAll / 3, kAll / 3, kAll / 3};
 }
 
 void colour_by_surface(std::span<Contour> contours) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <span>
 
-#include "runtime/vision/range_codes.h"
 #include "runtime/vision/view_graph.h"
 
 namespace aspect {
@@ -14,8 +13,10 @@ namespace aspect {
 // Grey: a region's grey against the blob's mean, so that light does not matter.
 void colour_by_grey(std::span<Contour> contours);
 
-// Range: how much the surface is turned away from the line of sight.
-void colour_by_slant(const RangeCamera& camera, std::span<Contour> contours);
+// Range: all alike, so that places and shapes alone count. How far a surface is turned from the
+// line of sight says nothing that its shape does not, and differs over an aspect: with it, the view
+// of L_SHAPE was within 20 degrees in 82 of 100 frames and not in 95, at the weight of a colour.
+void colour_alike(std::span<Contour> contours);
 
 // Surface ids: a colour of the id's own; those of the first ids are far apart.
 void colour_by_surface(std::span<Contour> contours);

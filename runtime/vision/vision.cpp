@@ -44,6 +44,19 @@ VisionParameters cutting_parameters(VisionParameters parameters) {
   return parameters;
 }
 
+void colour_contours(SensorKind sensor, std::span<Contour> contours) {
+  switch (sensor) {
+    case SensorKind::colour:
+      return;
+    case SensorKind::grey:
+      return colour_by_grey(contours);
+    case SensorKind::range:
+      return colour_alike(contours);
+    case SensorKind::surface:
+      return colour_by_surface(contours);
+  }
+}
+
 }  // namespace
 
 void Vision::prepare(Arena& arena, int width_px, int height_px, SensorKind sensor) {
@@ -99,8 +112,6 @@ bool Vision::convert(const Frame& frame, const VisionParameters& parameters) {
       return true;
     }
     case SensorKind::range:
-      range_camera_ =
-          range_camera(frame.width_px, frame.height_px, parameters.range.field_of_view_deg);
       return range_codes_.run(frame, parameters, raw_, shares_);
     case SensorKind::surface:
       return find_surface_codes(frame, parameters, raw_, shares_);
@@ -122,13 +133,6 @@ const Planes& Vision::enhance(const VisionParameters& parameters) {
   return planes;
 }
 
-void Vision::colour_contours(const VisionParameters& parameters,
-                             std::span<Contour> contours) const {
-  if (parameters.sensor == SensorKind::grey) colour_by_grey(contours);
-  if (parameters.sensor == SensorKind::range) colour_by_slant(range_camera_, contours);
-  if (parameters.sensor == SensorKind::surface) colour_by_surface(contours);
-}
-
 ViewGraph Vision::build_graph(const VisionParameters& parameters) {
   int dropped = regions_.dropped_regions;
   const std::span<const TracedContour> traced =
@@ -147,7 +151,7 @@ ViewGraph Vision::build_graph(const VisionParameters& parameters) {
     const auto own = found.first(keep_largest(found, kMaxBlobContours));
     dropped += static_cast<int>(found.size() - own.size());
     contour_count = first + own.size();
-    colour_contours(parameters, own);
+    colour_contours(parameters.sensor, own);
     blob.first_contour = static_cast<int>(first);
     blob.contour_count = static_cast<int>(own.size());
     blob.first_relation = static_cast<int>(relation_count);

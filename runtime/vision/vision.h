@@ -42,7 +42,6 @@ class Vision {
   bool convert(const Frame& frame, const VisionParameters& parameters);
   const Planes& enhance(const VisionParameters& parameters);
   ViewGraph build_graph(const VisionParameters& parameters);
-  void colour_contours(const VisionParameters& parameters, std::span<Contour> contours) const;
 
   SensorKind sensor_ = SensorKind::colour;
   int width_px_ = 0, height_px_ = 0;
@@ -50,7 +49,6 @@ class Vision {
   Shares shares_;
   std::span<std::uint8_t> scratch_;
   RangeCodes range_codes_;
-  RangeCamera range_camera_;
   Segmenter segmenter_;
   ContourTracer tracer_;
   std::span<Contour> contours_;

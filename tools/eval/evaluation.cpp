@@ -141,7 +141,8 @@ Result<EvaluatedObject> EvaluatedObject::load(const std::filesystem::path& index
   if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};
   Result<ClassViews> views = ClassViews::create(index.value());
   if (!views) return Error{index_file.native() + ": " + views.error()};
-  std::vector<Eigen::Matrix3d> rotations = object_rotations(scene.value());
+  std::vector<Eigen::Matrix3d> rotations =
+      object_rotations(as_seen_by(index.value().vision.sensor, scene.value()));
   return EvaluatedObject{index_file.native(),      std::move(index).value(),
                          std::move(scene).value(), std::move(renderer).value(),
                          std::move(views).value(), std::move(rotations)};
