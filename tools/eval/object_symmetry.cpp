@@ -144,7 +144,7 @@ Scene as_seen_by(SensorKind sensor, Scene scene) {
   for (Primitive& primitive : scene.primitives) {
     primitive.surface = static_cast<int>(scene.surfaces.size());
     Surface surface;
-    surface.diffuse = Eigen::Vector3d::Constant(primitive.surface);
+    surface.ambient = Eigen::Vector3d::Constant(primitive.surface);
     scene.surfaces.push_back(surface);
   }
   return scene;
