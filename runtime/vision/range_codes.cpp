@@ -193,6 +193,22 @@ void RangeCodes::encode(int x, int y, const RowSums& sums, std::size_t column, f
   at_[place(x, y)] = code_of(kPlaceScale * beyond / reference_.size);
 }
 
+// Of the nine windows at most kReach_px away, all of which hold the pixel.
+std::size_t RangeCodes::best_window(int x, int y) const {
+  const int x_end = active_.x + active_.width, y_end = active_.y + active_.height;
+  std::size_t best = place(x, y);
+  float least = misfit_[best] * kClearlyBetter;
+  for (int v = y - kReach_px; v <= y + kReach_px; v += kReach_px) {
+    if (v < active_.y || v >= y_end) continue;
+    for (int u = x - kReach_px; u <= x + kReach_px; u += kReach_px) {
+      if (u < active_.x || u >= x_end || misfit_[place(u, v)] >= least) continue;
+      best = place(u, v);
+      least = misfit_[best];
+    }
+  }
+  return best;
+}
+
 void RangeCodes::choose_windows(Planes& codes, Shares& shares) const {
   const int x_end = active_.x + active_.width, y_end = active_.y + active_.height;
   for (int y = active_.y; y < y_end; ++y) {
@@ -201,18 +217,7 @@ void RangeCodes::choose_windows(Planes& codes, Shares& shares) const {
       shares.solid[i] = 0;
       codes.red[i] = codes.green[i] = codes.blue[i] = 0;
       if (shares.foreground[i] == 0) continue;
-      std::size_t best = i;
-      float least = misfit_[i] * kClearlyBetter;
-      for (int dy = -kReach_px; dy <= kReach_px; dy += kReach_px) {
-        if (y + dy < active_.y || y + dy >= y_end) continue;
-        for (int dx = -kReach_px; dx <= kReach_px; dx += kReach_px) {
-          if (x + dx < active_.x || x + dx >= x_end) continue;
-          const std::size_t k = place(x + dx, y + dy);
-          if (misfit_[k] >= least) continue;
-          least = misfit_[k];
-          best = k;
-        }
-      }
+      const std::size_t best = best_window(x, y);
       if (misfit_[best] == kUnfit) continue;
       shares.solid[i] = 255;
       codes.red[i] = tilt_x_[best];

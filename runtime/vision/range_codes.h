@@ -40,6 +40,7 @@ class RangeCodes {
   void fit_row(int y, float most_misfit);
   void add_window_rows(int y, const RowSums& sums) const;
   void encode(int x, int y, const RowSums& sums, std::size_t column, float mean);
+  std::size_t best_window(int x, int y) const;
   void choose_windows(Planes& codes, Shares& shares) const;
   void mark_jumps(float depth_step, Shares& shares) const;
   bool jumps(std::ptrdiff_t i, std::ptrdiff_t step, bool has_before, bool has_after,
