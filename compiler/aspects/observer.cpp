@@ -45,9 +45,15 @@ void add_run(const Run& run, const Picture& picture, const Intrinsics& camera,
 
 Observer::Observer(const Renderer& renderer, const Studio& studio,
                    const VisionParameters& parameters)
-    : renderer_(&renderer), studio_(studio), parameters_(parameters) {
+    : renderer_(&renderer),
+      studio_(studio),
+      parameters_(parameters),
+      sensor_(make_sensor(parameters)) {
   parameters_.one_blob = true;
-  memory_.plan([&](Arena& arena) { vision_.prepare(arena, studio.width_px, studio.height_px); });
+  parameters_.range.field_of_view_deg = static_cast<float>(studio.angle_deg);
+  memory_.plan([&](Arena& arena) {
+    vision_.prepare(arena, studio.width_px, studio.height_px, parameters.sensor);
+  });
 }
 
 ObservedView Observer::observe(const Eigen::Vector3d& direction) {
@@ -57,10 +63,9 @@ ObservedView Observer::observe(const Eigen::Vector3d& direction) {
   renderer_->render(camera, picture_);
   const auto rendered = Clock::now();
   render_time_ += rendered - start;
-  const Frame frame{picture_.rgb.data(), picture_.width_px, picture_.height_px,
-                    3 * static_cast<std::ptrdiff_t>(picture_.width_px), PixelFormat::rgb8};
+  frame_ = sensor_->frame_of(picture_);
   parameters_.region_of_interest = picture_.foreground;
-  graph_ = vision_.run(frame, parameters_);
+  graph_ = vision_.run(frame_, parameters_);
   ObservedView view;
   view.direction = direction;
   view.right = camera.camera_from_object.row(0);

@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <chrono>
+#include <memory>
 
 #include "compiler/matching/observed_view.h"
 #include "compiler/render/renderer.h"
+#include "compiler/render/sensor.h"
 #include "runtime/base/planned_memory.h"
 #include "runtime/vision/vision.h"
 
@@ -21,6 +23,7 @@ class Observer {
 
   // Of the last view, for drawing and for evaluation.
   const Picture& picture() const { return picture_; }
+  const Frame& frame() const { return frame_; }
   const ViewGraph& graph() const { return graph_; }
   const RegionMap& regions() const { return vision_.regions(); }
 
@@ -34,6 +37,8 @@ class Observer {
   Studio studio_;
   VisionParameters parameters_;
   Picture picture_;
+  std::unique_ptr<Sensor> sensor_;
+  Frame frame_;
   PlannedMemory memory_;
   Vision vision_;
   ViewGraph graph_;

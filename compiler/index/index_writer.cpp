@@ -115,6 +115,28 @@ std::vector<std::uint8_t> map_of(const IndexContents& contents, std::size_t clas
                                   std::min(kMostMapBytes, contents.options.max_index_bytes / 4));
 }
 
+// Colour indexes are as they were before there were other sensors.
+flatbuffers::Offset<fb::Segmentation> write_segmentation(flatbuffers::FlatBufferBuilder& builder,
+                                                         const VisionParameters& v) {
+  fb::SegmentationBuilder table(builder);
+  if (v.sensor == SensorKind::range) {
+    table.add_range_normal_step_deg(v.range.normal_step_deg);
+    table.add_range_depth_step(v.range.depth_step);
+    table.add_range_step_length(v.range.step_length);
+    table.add_range_steps_max(static_cast<std::uint16_t>(v.range.steps_max));
+    table.add_range_steps_min(static_cast<std::uint16_t>(v.range.steps_min));
+  }
+  table.add_thickness_min_px(v.thickness_min_px);
+  table.add_area_min_px(static_cast<std::uint32_t>(v.area_min_px));
+  table.add_intensity_step(static_cast<std::uint16_t>(v.intensity_step));
+  table.add_intensity_min(static_cast<std::uint16_t>(v.intensity_min));
+  if (v.sensor != SensorKind::colour) table.add_sensor(static_cast<fb::Sensor>(v.sensor));
+  table.add_smooth(v.smooth);
+  table.add_noise_steps(static_cast<std::uint8_t>(v.noise_steps));
+  table.add_chroma_step(static_cast<std::uint8_t>(v.chroma_step));
+  return table.Finish();
+}
+
 std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays& arrays,
                                     const std::vector<std::uint8_t>& map) {
   const CompileOptions& options = contents.options;
@@ -125,23 +147,19 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
       builder, builder.CreateString("aspectc"), contents.scene_hash,
       static_cast<std::uint8_t>(options.level), static_cast<std::uint8_t>(options.min_level),
       options.threshold, options.cluster_threshold);
-  const auto segmentation = fb::CreateSegmentation(
-      builder, static_cast<std::uint16_t>(v.intensity_min),
-      static_cast<std::uint8_t>(v.chroma_step), static_cast<std::uint8_t>(v.noise_steps),
-      static_cast<std::uint16_t>(v.intensity_step), static_cast<std::uint32_t>(v.area_min_px),
-      v.thickness_min_px, v.smooth);
+  const auto segmentation = write_segmentation(builder, v);
   std::vector<float> types;
   for (const TypeAttributes& type : contents.types)
     types.insert(types.end(), type.begin(), type.end());
   const Studio& studio = contents.scene.studio;
   const auto root = fb::CreateClassIndex(
-      builder, kIndexFormatVersion, 0, builder.CreateString(contents.scene.name), provenance,
-      segmentation, static_cast<fb::Scoring>(options.scoring), static_cast<float>(studio.angle_deg),
-      static_cast<std::uint16_t>(studio.width_px), static_cast<std::uint16_t>(studio.height_px),
-      static_cast<std::uint16_t>(kTypeDimensions), builder.CreateVector(types),
-      builder.CreateVectorOfStructs(arrays.classes), builder.CreateVectorOfStructs(arrays.contours),
-      builder.CreateVectorOfStructs(arrays.scores), builder.CreateVector(arrays.surfaces),
-      builder.CreateVectorOfStructs(arrays.key_views),
+      builder, index_format_version(v.sensor), 0, builder.CreateString(contents.scene.name),
+      provenance, segmentation, static_cast<fb::Scoring>(options.scoring),
+      static_cast<float>(studio.angle_deg), static_cast<std::uint16_t>(studio.width_px),
+      static_cast<std::uint16_t>(studio.height_px), static_cast<std::uint16_t>(kTypeDimensions),
+      builder.CreateVector(types), builder.CreateVectorOfStructs(arrays.classes),
+      builder.CreateVectorOfStructs(arrays.contours), builder.CreateVectorOfStructs(arrays.scores),
+      builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
       builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map));
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),

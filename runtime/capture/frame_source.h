@@ -19,7 +19,8 @@ struct CapturedFrame {
   std::string error;                 // one line that names the file; only of a failed frame
 
   Frame view() const {
-    return {pixels.data(), width_px, height_px, std::ptrdiff_t{3} * width_px, format};
+    return {pixels.data(), width_px, height_px, std::ptrdiff_t{bytes_per_pixel(format)} * width_px,
+            format};
   }
 };
 

@@ -41,7 +41,27 @@ bool tells_of_damage(std::string_view log) {
          log.find("libpng error") != std::string_view::npos;
 }
 
-std::optional<std::string> decode(const std::vector<std::byte>& bytes, cv::Mat& picture) {
+struct Reading {
+  PixelFormat format;
+  int flags;
+};
+
+Reading reading_for(SensorKind sensor) {
+  switch (sensor) {
+    case SensorKind::grey:
+      return {PixelFormat::grey8, cv::IMREAD_GRAYSCALE};
+    case SensorKind::range:
+      return {PixelFormat::depth16, cv::IMREAD_UNCHANGED};
+    case SensorKind::surface:
+      return {PixelFormat::label16, cv::IMREAD_UNCHANGED};
+    case SensorKind::colour:
+      break;
+  }
+  return {PixelFormat::bgr8, cv::IMREAD_COLOR};
+}
+
+std::optional<std::string> decode(const std::vector<std::byte>& bytes, SensorKind sensor,
+                                  cv::Mat& picture) {
   constexpr const char* kUnreadable =
       "not a picture that can be read; give a PNG, JPEG, BMP, TIFF, WebP or PNM file or a video";
   std::string log;
@@ -49,7 +69,7 @@ std::optional<std::string> decode(const std::vector<std::byte>& bytes, cv::Mat& 
     StderrCapture capture;
     const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,
                           const_cast<std::byte*>(bytes.data()));
-    picture = cv::imdecode(encoded, cv::IMREAD_COLOR);
+    picture = cv::imdecode(encoded, reading_for(sensor).flags);
     log = capture.finish();
   } catch (const std::exception&) {
     return kUnreadable;
@@ -57,22 +77,33 @@ std::optional<std::string> decode(const std::vector<std::byte>& bytes, cv::Mat& 
   const std::string_view first_line = std::string_view(log).substr(0, log.find('\n'));
   if (tells_of_damage(log)) return fmt::format("damaged ({}); copy or record it again", first_line);
   if (picture.empty()) return kUnreadable;
+  if (reading_for(sensor).flags == cv::IMREAD_UNCHANGED && picture.type() != CV_16UC1)
+    return fmt::format(
+        "not a {} frame, which has one channel of 16 bits; give a frame of that "
+        "sensor, or an index of this one's",
+        name_of(sensor));
   return size_fault(picture.cols, picture.rows);
 }
 
 }  // namespace
 
-bool read_picture(const fs::path& file, CapturedFrame& frame) {
+bool read_picture(const fs::path& file, SensorKind sensor, CapturedFrame& frame) {
   std::vector<std::byte> bytes;
   cv::Mat picture;
   std::optional<std::string> fault = read_bytes(file, bytes);
   if (!fault) fault = picture_fault(bytes);
-  if (!fault) fault = decode(bytes, picture);
+  const bool wants_colours = sensor == SensorKind::colour || sensor == SensorKind::grey;
+  if (!fault && wants_colours && is_deep_grey_png(bytes))
+    fault = fmt::format(
+        "one channel of 16 bits, a range or surface frame and not a {} one; give a "
+        "frame of that sensor, or an index of this one's",
+        name_of(sensor));
+  if (!fault) fault = decode(bytes, sensor, picture);
   if (fault) {
     frame.error = file.native() + ": " + *fault;
     return false;
   }
-  copy_picture(picture, frame);
+  copy_picture(picture, reading_for(sensor).format, frame);
   return true;
 }
 

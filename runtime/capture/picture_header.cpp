@@ -100,6 +100,13 @@ std::optional<std::string> bmp_fault(Bytes bytes) {
 
 }  // namespace
 
+bool is_deep_grey_png(std::span<const std::byte> file) {
+  constexpr std::uint32_t kSixteenBits = 16, kGrey = 0;
+  Bytes bytes(file);
+  return bytes.begins_with(kPng) && bytes.at(24) == kSixteenBits && bytes.at(25) == kGrey &&
+         bytes.ok();
+}
+
 std::optional<std::string> size_fault(std::int64_t width_px, std::int64_t height_px) {
   if (width_px < kMinFrameSide_px || height_px < kMinFrameSide_px)
     return fmt::format(

@@ -31,7 +31,8 @@ bool ends_like(const fs::path& path, std::span<const std::string_view> endings) 
 
 }  // namespace
 
-RecordedFrames::RecordedFrames(std::span<const fs::path> paths) {
+RecordedFrames::RecordedFrames(std::span<const fs::path> paths, SensorKind sensor)
+    : sensor_(sensor) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   // FFmpeg's threads log whenever they like; -8 is its AV_LOG_QUIET. A user's own choice stays.
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
@@ -52,7 +53,12 @@ void RecordedFrames::add(const fs::path& path) {
   if (fs::is_directory(status)) return add_folder(path);
   if (!fs::is_regular_file(status))
     return refuse("neither a file nor a folder; give a picture, a folder of pictures or a video");
-  items_.push_back({ends_like(path, kVideoEndings) ? Kind::video : Kind::picture, path, {}});
+  const bool is_video = ends_like(path, kVideoEndings);
+  if (is_video && sensor_ != SensorKind::colour)
+    return refuse(
+        "a video, whose frames are in colour, and the index is of another sensor; give "
+        "its frames as pictures");
+  items_.push_back({is_video ? Kind::video : Kind::picture, path, {}});
 }
 
 void RecordedFrames::add_folder(const fs::path& folder) {
@@ -115,7 +121,7 @@ FrameStatus RecordedFrames::next_of_video(CapturedFrame& frame) {
 FrameStatus RecordedFrames::open_item(const Item& item, CapturedFrame& frame) {
   frame.name = item.path.native();
   if (item.kind == Kind::picture)
-    return read_picture(item.path, frame) ? FrameStatus::frame : FrameStatus::failed;
+    return read_picture(item.path, sensor_, frame) ? FrameStatus::frame : FrameStatus::failed;
   if (item.kind == Kind::video) {
     video_ = std::make_unique<VideoFile>(item.path);
     return FrameStatus::end;

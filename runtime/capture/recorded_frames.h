@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/capture/frame_source.h"
+#include "runtime/vision/sensor_kind.h"
 
 namespace aspect {
 
@@ -17,14 +18,16 @@ class VideoFile;
 
 // Frames come in the order of the paths, those of a folder in the order of their names (byte by
 // byte; only files that end like a picture; not its subfolders). Colours of every kind become BGR
-// of 8 bits a channel; transparency is left out; a photograph is turned as its EXIF data say.
+// of 8 bits a channel, or grey for a grey sensor; transparency is left out; a photograph is turned
+// as its EXIF data say. Range and surface frames are read as they are; videos hold colours only.
 // A frame keeps within the limits of vision_limits.h. A path, a picture or a video that is no good
 // is one failed frame, and the rest goes on. Not for several threads at once, not even for several
 // sources: see StderrCapture.
 class RecordedFrames : public FrameSource {
  public:
   // Looks the paths up, but opens nothing. Silences OpenCV's and FFmpeg's logs.
-  explicit RecordedFrames(std::span<const std::filesystem::path> paths);
+  explicit RecordedFrames(std::span<const std::filesystem::path> paths,
+                          SensorKind sensor = SensorKind::colour);
   ~RecordedFrames() override;
 
   [[nodiscard]] FrameStatus next(CapturedFrame& frame) override;
@@ -44,6 +47,7 @@ class RecordedFrames : public FrameSource {
   FrameStatus next_of_video(CapturedFrame& frame);
   FrameStatus open_item(const Item& item, CapturedFrame& frame);
 
+  SensorKind sensor_;
   std::vector<Item> items_;
   std::size_t next_item_ = 0;
   std::uint64_t sequence_ = 0;

@@ -34,7 +34,7 @@ FrameStatus VideoFile::next(CapturedFrame& frame) {
   if (picture.empty()) return end(frame);
   if (picture.type() != CV_8UC3) return fail(frame, "its frames are not in colour; convert it");
   if (const auto fault = size_fault(picture.cols, picture.rows)) return fail(frame, *fault);
-  copy_picture(picture, frame);
+  copy_picture(picture, PixelFormat::bgr8, frame);
   ++frames_;
   return FrameStatus::frame;
 }

@@ -40,9 +40,11 @@ Problem check_structure(std::span<const std::byte> bytes) {
     return {"is damaged or cut short (its structure does not hold)" + recompile()};
   }
   const fb::ClassIndex* root = fb::GetClassIndex(data);
-  if (root->format_version() != kIndexFormatVersion)
+  if (root->format_version() != kIndexFormatVersion &&
+      root->format_version() != kSensorFormatVersion)
     return {"has format version " + std::to_string(root->format_version()) +
-            ", this runtime reads " + std::to_string(kIndexFormatVersion) + recompile()};
+            ", this runtime reads " + std::to_string(kIndexFormatVersion) + " and " +
+            std::to_string(kSensorFormatVersion) + recompile()};
   const auto* table = reinterpret_cast<const flatbuffers::Table*>(root);
   const std::uint8_t* field = table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM);
   if (field == nullptr ||
@@ -168,6 +170,27 @@ Problem colour_key_views(ClassIndex& index) {
   return {};
 }
 
+// The ranges within which segmentation makes sense of its parameters.
+Problem unpack_sensor(const fb::ClassIndex& root, VisionParameters& vision) {
+  const fb::Segmentation& s = *root.segmentation();
+  if (static_cast<std::size_t>(s.sensor()) >= kSensorNames.size())
+    return {"was made for a sensor that this runtime does not know" + recompile()};
+  vision.sensor = static_cast<SensorKind>(s.sensor());
+  if (root.format_version() != index_format_version(vision.sensor))
+    return {"has a format version that is not its sensor's" + recompile()};
+  if (vision.sensor != SensorKind::range) return {};
+  const auto is_within = [](float value, float least, float most) {
+    return value >= least && value <= most;  // false where it is not a number
+  };
+  if (!is_within(s.range_step_length(), 1e-9F, 1e9F) ||
+      !is_within(s.range_depth_step(), 1e-5F, 1) || !is_within(s.range_normal_step_deg(), 1, 90) ||
+      s.range_steps_min() > s.range_steps_max())
+    return {"holds range parameters that cannot be" + recompile()};
+  vision.range = {s.range_step_length(), s.range_steps_min(),       s.range_steps_max(),
+                  s.range_depth_step(),  s.range_normal_step_deg(), root.field_of_view_deg()};
+  return {};
+}
+
 Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
   const fb::Segmentation& s = *root.segmentation();
   if (!all_finite({s.thickness_min_px(), root.field_of_view_deg()}) ||
@@ -181,6 +204,7 @@ Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
   index.vision.area_min_px = static_cast<int>(std::min<std::uint32_t>(s.area_min_px(), 1U << 30U));
   index.vision.thickness_min_px = s.thickness_min_px();
   index.vision.smooth = s.smooth();
+  if (Problem problem = unpack_sensor(root, index.vision); problem.found()) return problem;
   index.field_of_view_deg = root.field_of_view_deg();
   index.width_px = root.width_px();
   index.height_px = root.height_px();

@@ -15,7 +15,11 @@
 
 namespace aspect {
 
-inline constexpr std::uint32_t kIndexFormatVersion = 1;
+// Version 2 is the same with another sensor, which runtimes of version 1 would not know of.
+inline constexpr std::uint32_t kIndexFormatVersion = 1, kSensorFormatVersion = 2;
+constexpr std::uint32_t index_format_version(SensorKind sensor) {
+  return sensor == SensorKind::colour ? kIndexFormatVersion : kSensorFormatVersion;
+}
 inline constexpr std::size_t kMaxIndexBytes = 16U << 20U;
 inline constexpr std::size_t kMaxClassContours = 48;
 inline constexpr std::size_t kMaxClasses = 65536;  // a hypothesis names its class in 16 bits

@@ -56,7 +56,7 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   indexes_ = indexes;
   parameters_ = parameters;
   parameters_.top = std::clamp(parameters.top, 1, kMaxHypotheses);
-  vision_.prepare(arena, width_px, height_px);
+  vision_.prepare(arena, width_px, height_px, parameters_.vision.sensor);
   class_matcher_.prepare(arena, indexes);
   candidates_ = arena.take<Hypothesis>(kMaxCandidates);
   hypotheses_ = arena.take<Hypothesis>(kMaxReported);

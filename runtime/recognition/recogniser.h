@@ -77,7 +77,8 @@ class Recogniser {
   void prepare(Arena& arena, std::span<const ClassIndex> indexes,
                const RecogniserParameters& parameters, int width_px, int height_px);
 
-  // Allocates nothing. The result lives until the next call.
+  // Allocates nothing. The result lives until the next call. A frame of another sensor than
+  // parameters.vision.sensor (see gives) is seen as empty: refuse it before.
   Recognition recognise(const Frame& frame) noexcept;
 
   const RegionMap& regions() const { return vision_.regions(); }

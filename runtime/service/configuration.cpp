@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 #include "runtime/service/segmentation_table.h"
 #include "runtime/service/table_reader.h"
@@ -86,6 +88,11 @@ void SegmentationOverrides::apply(VisionParameters& parameters) const {
   replace(parameters.smooth, smooth);
   replace(parameters.one_blob, one_blob);
   replace(parameters.region_of_interest, region_of_interest);
+  replace(parameters.range.step_length, range_step_length);
+  replace(parameters.range.steps_min, range_steps_min);
+  replace(parameters.range.steps_max, range_steps_max);
+  replace(parameters.range.depth_step, range_depth_step);
+  replace(parameters.range.normal_step_deg, range_normal_step_deg);
 }
 
 void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
@@ -97,6 +104,9 @@ void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
 
 void Configuration::apply(RecogniserParameters& parameters) const {
   segmentation.apply(parameters.vision);
+  if (camera)
+    parameters.vision.range.field_of_view_deg = static_cast<float>(
+        2 * std::atan(camera->width_px / (2 * camera->fx_px)) * 180 / std::numbers::pi);
   recognition.apply(parameters);
 }
 

@@ -24,6 +24,8 @@ struct SegmentationOverrides {
   std::optional<float> thickness_min_px;
   std::optional<bool> smooth, one_blob;
   std::optional<Box> region_of_interest;
+  std::optional<int> range_steps_min, range_steps_max;
+  std::optional<float> range_step_length, range_depth_step, range_normal_step_deg;
 
   void apply(VisionParameters& parameters) const;
 };

@@ -33,6 +33,11 @@ std::optional<Error> read_segmentation(const toml::table& table, const std::stri
   reader.read("thickness_min_px", {0, kMaxFrameSide_px}, overrides.thickness_min_px);
   reader.read("smooth", overrides.smooth);
   reader.read("one_blob", overrides.one_blob);
+  reader.read("range_step_length", {1e-9, 1e9}, overrides.range_step_length);
+  reader.read("range_steps_min", {1, 65534}, overrides.range_steps_min);
+  reader.read("range_steps_max", {1, 65534}, overrides.range_steps_max);
+  reader.read("range_depth_step", {1e-5, 1}, overrides.range_depth_step);
+  reader.read("range_normal_step_deg", {1, 90}, overrides.range_normal_step_deg);
   read_region_of_interest(reader, overrides.region_of_interest);
   return reader.finish();
 }

@@ -105,6 +105,7 @@ Shares take_shares(Arena& arena, int width_px, int height_px) {
 void smooth(const Planes& from, std::span<Byte> scratch, Planes& to) {
   to.active = from.active;
   smooth_plane(from.red, from.stride_px, from.active, scratch, to.red);
+  if (from.green.data() == from.red.data()) return;  // grey
   smooth_plane(from.green, from.stride_px, from.active, scratch, to.green);
   smooth_plane(from.blue, from.stride_px, from.active, scratch, to.blue);
 }

@@ -19,6 +19,8 @@ struct Shares {
   std::span<std::uint8_t> foreground;  // 255 or 0
   int stride_px = 0;
   Box active;
+  std::span<std::uint8_t> solid{};  // 0 where no core may be, 255 elsewhere; empty: nowhere
+  bool are_codes = false;           // other sensors: the planes' own values and no ratios
 };
 
 Shares take_shares(Arena& arena, int width_px, int height_px);

@@ -32,6 +32,13 @@ Box clipped(const Box& box, int width, int height) {
 
 }  // namespace
 
+Box part_looked_at(const Frame& frame, const VisionParameters& parameters) {
+  const Box whole{0, 0, frame.width_px, frame.height_px};
+  return parameters.region_of_interest.empty()
+             ? whole
+             : clipped(parameters.region_of_interest, frame.width_px, frame.height_px);
+}
+
 Planes take_planes(Arena& arena, int width_px, int height_px) {
   const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
   Planes planes;
@@ -43,22 +50,18 @@ Planes take_planes(Arena& arena, int width_px, int height_px) {
 }
 
 Box foreground_box(const Frame& frame, const VisionParameters& parameters) {
-  const Box whole{0, 0, frame.width_px, frame.height_px};
-  const Box roi = parameters.region_of_interest.empty()
-                      ? whole
-                      : clipped(parameters.region_of_interest, frame.width_px, frame.height_px);
+  const Box roi = part_looked_at(frame, parameters);
   // A pixel that reaches the sum has at least one channel that reaches a third of it.
+  const int channels = bytes_per_pixel(frame.format);
   const auto least =
       static_cast<std::uint8_t>(std::clamp((parameters.intensity_min + 2) / 3, 0, 255));
   int left = roi.x + roi.width, right = roi.x, top = roi.y + roi.height, bottom = roi.y;
   for (int y = roi.y; y < roi.y + roi.height; ++y) {
     const std::uint8_t* row = row_of(frame, y);
-    if (!any_at_least(row + 3 * roi.x, 3 * roi.width, least)) continue;
+    if (!any_at_least(row + channels * roi.x, channels * roi.width, least)) continue;
     top = std::min(top, y);
     bottom = y + 1;
-    const auto bright = [&](int x) {
-      return std::max({row[3 * x], row[3 * x + 1], row[3 * x + 2]}) >= least;
-    };
+    const auto bright = [&](int x) { return any_at_least(row + channels * x, channels, least); };
     for (int x = roi.x; x < left; ++x)
       if (bright(x)) left = x;
     for (int x = roi.x + roi.width; x > right; --x)
@@ -70,6 +73,19 @@ Box foreground_box(const Frame& frame, const VisionParameters& parameters) {
   const int x1 = std::min(right + kMargin_px, roi.x + roi.width);
   const int y1 = std::min(bottom + kMargin_px, roi.y + roi.height);
   return {x0, y0, x1 - x0, y1 - y0};
+}
+
+Planes take_grey_planes(Arena& arena, int width_px, int height_px) {
+  const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+  const std::span<std::uint8_t> grey = arena.take<std::uint8_t>(pixels);
+  return {grey, grey, grey, width_px, {}};
+}
+
+void copy_grey(const Frame& frame, const Box& box, Planes& planes) {
+  planes.active = box;
+  for (int y = box.y; y < box.y + box.height; ++y)
+    std::copy_n(row_of(frame, y) + box.x, box.width,
+                planes.red.data() + y * planes.stride_px + box.x);
 }
 
 void split_planes(const Frame& frame, const Box& box, Planes& planes) {

@@ -20,9 +20,16 @@ struct Planes {
 
 Planes take_planes(Arena& arena, int width_px, int height_px);
 
-// Smallest box that holds every pixel which may reach intensity_min, with a margin of 2 pixels
-// where the region of interest has them. Empty where there is none.
+// The region of interest, or the whole frame.
+Box part_looked_at(const Frame& frame, const VisionParameters& parameters);
+
+// Of a colour or grey frame: smallest box that holds every pixel which may reach intensity_min,
+// with a margin of 2 pixels where the region of interest has them. Empty where there is none.
 Box foreground_box(const Frame& frame, const VisionParameters& parameters);
+
+// Grey is the colour whose three channels are one: all three planes are the same memory.
+Planes take_grey_planes(Arena& arena, int width_px, int height_px);
+void copy_grey(const Frame& frame, const Box& box, Planes& planes);
 
 // Fills the planes within `box`, which becomes their active part.
 void split_planes(const Frame& frame, const Box& box, Planes& planes);

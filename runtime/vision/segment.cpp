@@ -36,6 +36,11 @@ void mark_border(const Byte* foreground, const Byte* core, std::size_t count,
     out[i] = static_cast<Byte>(foreground[i] & static_cast<Byte>(~core[i]));
 }
 
+// core[i] &= solid[i].
+void keep_solid(const Byte* solid, std::size_t count, Byte* __restrict core) {
+  for (std::size_t i = 0; i < count; ++i) core[i] = static_cast<Byte>(core[i] & solid[i]);
+}
+
 // First index in [from, end) whose label differs from `label`, four at a time.
 int end_of_labels(const std::uint16_t* labels, int from, int end, std::uint16_t label) {
   const std::uint64_t pattern = label * std::uint64_t{0x0001000100010001};
@@ -94,6 +99,7 @@ RowLinks Segmenter::link_core_row(const Shares& shares, int y, int intensity_ste
   const ShareRow here(shares, offset);
   Byte* core = core_.data() + offset;
   std::copy_n(here.foreground, width, core);
+  if (!shares.solid.empty()) keep_solid(shares.solid.data() + offset, width, core);
   if (width > 2) require_alike(here, ShareRow(shares, offset + 2), width - 2, step, core + 1);
   if (y > active_.y && y + 1 < active_.y + active_.height)
     require_alike(ShareRow(shares, offset - stride), ShareRow(shares, offset + stride), width, step,
@@ -130,7 +136,7 @@ void Segmenter::choose_cores(std::span<Run> runs, int area_min_px) {
   core_count_ = count;
 }
 
-void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours) {
+void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours, bool are_codes) {
   std::fill_n(cores_.begin(), core_count_, Core{});
   for (const Run& run : runs) {
     if (run.label == 0) continue;
@@ -150,6 +156,13 @@ void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours) 
   }
   for (std::size_t k = 0; k < core_count_; ++k) {
     const Core& core = cores_[k];
+    if (are_codes) {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        colours_[k].share[channel] =
+            static_cast<Byte>((core.rgb[channel] + core.area / 2) / core.area);
+      colours_[k].intensity = 0;
+      continue;
+    }
     for (std::size_t channel = 0; channel < 3; ++channel)
       colours_[k].share[channel] = static_cast<Byte>(255 * core.rgb[channel] / core.sum());
     colours_[k].intensity = static_cast<Byte>(core.sum() / (3 * core.area));
@@ -352,7 +365,7 @@ RegionMap Segmenter::run(const Planes& colours, const Shares& shares,
   for (int y = end - components_.dropped_rows(); y < end; ++y)
     std::fill_n(core_.begin() + y * stride_px_ + active_.x, active_.width, Byte{0});
   choose_cores(cores, parameters.area_min_px);
-  measure_cores(cores, colours);
+  measure_cores(cores, colours, shares.are_codes);
   paint_cores(cores, shares);
   growth_.run(shares, colours_.first(core_count_), parameters, {labels_, stride_px_, active_});
   merge_joined_cores();

@@ -47,7 +47,7 @@ class Segmenter {
   struct Core;
   RowLinks link_core_row(const Shares& shares, int y, int intensity_step);
   void choose_cores(std::span<Run> runs, int area_min_px);
-  void measure_cores(std::span<const Run> runs, const Planes& colours);
+  void measure_cores(std::span<const Run> runs, const Planes& colours, bool are_codes);
   void paint_cores(std::span<const Run> runs, const Shares& shares);
   void merge_joined_cores();
   static std::array<float, 3> mean_rgb(const Core& core);

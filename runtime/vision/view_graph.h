@@ -34,7 +34,7 @@ struct Contour {
   std::uint16_t inside = 0;  // the region that surrounds it, 0: none
   bool external = true;      // false: the border of a hole in the region
   ShapeClass shape = ShapeClass::other;
-  std::array<float, 3> mean_rgb{};  // 0..255
+  std::array<float, 3> mean_rgb{};  // 0..255; of other sensors see sensor_colour.h
   Point2 centre_px;
   float area_px = 0;
   float thickness_px = 0;  // of a bar with the same smaller second moment

@@ -5,7 +5,10 @@
 #include <numeric>
 
 #include "runtime/vision/attributes.h"
+#include "runtime/vision/code_planes.h"
 #include "runtime/vision/relations.h"
+#include "runtime/vision/sensor_colour.h"
+#include "runtime/vision/surface_codes.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -30,14 +33,43 @@ std::size_t keep_largest(std::span<Contour> contours, std::size_t most) {
   return most;
 }
 
+// What segmentation goes by: codes have no intensities, and regions whose cores do not touch are
+// one only where their codes are the same to the last steps.
+VisionParameters cutting_parameters(VisionParameters parameters) {
+  constexpr int kSamePlaneSteps = 2, kAnyIntensity = 765;
+  const bool range = parameters.sensor == SensorKind::range;
+  if (!range && parameters.sensor != SensorKind::surface) return parameters;
+  parameters.chroma_step = range ? kSamePlaneSteps : 0;
+  parameters.intensity_step = kAnyIntensity;
+  return parameters;
+}
+
+void colour_contours(SensorKind sensor, std::span<Contour> contours) {
+  switch (sensor) {
+    case SensorKind::colour:
+      return;
+    case SensorKind::grey:
+      return colour_by_grey(contours);
+    case SensorKind::range:
+      return colour_alike(contours);
+    case SensorKind::surface:
+      return colour_by_surface(contours);
+  }
+}
+
 }  // namespace
 
-void Vision::prepare(Arena& arena, int width_px, int height_px) {
+void Vision::prepare(Arena& arena, int width_px, int height_px, SensorKind sensor) {
+  sensor_ = sensor;
   width_px_ = std::min(width_px, kMaxFrameSide_px);
   height_px_ = std::min(height_px, kMaxFrameSide_px);
-  raw_ = take_planes(arena, width_px_, height_px_);
-  smoothed_ = take_planes(arena, width_px_, height_px_);
-  shares_ = take_shares(arena, width_px_, height_px_);
+  const bool has_codes = sensor == SensorKind::range || sensor == SensorKind::surface;
+  for (Planes* planes : {&raw_, &smoothed_})
+    *planes = sensor == SensorKind::grey ? take_grey_planes(arena, width_px_, height_px_)
+                                         : take_planes(arena, width_px_, height_px_);
+  shares_ = has_codes ? take_code_shares(arena, width_px_, height_px_)
+                      : take_shares(arena, width_px_, height_px_);
+  if (sensor == SensorKind::range) range_codes_.take(arena, width_px_, height_px_);
   scratch_ = arena.take<std::uint8_t>(3 * static_cast<std::size_t>(width_px_));
   segmenter_.take(arena, width_px_, height_px_);
   tracer_.take(arena, width_px_, height_px_);
@@ -52,21 +84,53 @@ ViewGraph Vision::run(const Frame& frame, const VisionParameters& parameters) no
   regions_ = {};
   if (frame.data == nullptr || frame.width_px > width_px_ || frame.height_px > height_px_)
     return {};
+  if (parameters.sensor != sensor_ || !gives(sensor_, frame.format)) return {};
   const auto start = Clock::now();
-  const Box box = foreground_box(frame, parameters);
-  if (box.empty()) return {};
-  split_planes(frame, box, raw_);
+  if (!convert(frame, parameters)) return {};
   const auto converted = Clock::now();
-  if (parameters.smooth) smooth(raw_, scratch_, smoothed_);
-  const Planes& colours = parameters.smooth ? smoothed_ : raw_;
-  normalise(colours, parameters, shares_);
+  const Planes& colours = enhance(parameters);
   const auto enhanced = Clock::now();
-  regions_ = segmenter_.run(colours, shares_, parameters);
+  regions_ = segmenter_.run(colours, shares_, cutting_parameters(parameters));
   const auto segmented = Clock::now();
   const ViewGraph graph = build_graph(parameters);
   times_ = {converted - start, enhanced - converted, segmented - enhanced,
             Clock::now() - segmented};
   return graph;
+}
+
+// False where the frame shows nothing.
+bool Vision::convert(const Frame& frame, const VisionParameters& parameters) {
+  switch (sensor_) {
+    case SensorKind::colour:
+    case SensorKind::grey: {
+      const Box box = foreground_box(frame, parameters);
+      if (box.empty()) return false;
+      if (sensor_ == SensorKind::grey)
+        copy_grey(frame, box, raw_);
+      else
+        split_planes(frame, box, raw_);
+      return true;
+    }
+    case SensorKind::range:
+      return range_codes_.run(frame, parameters, raw_, shares_);
+    case SensorKind::surface:
+      return find_surface_codes(frame, parameters, raw_, shares_);
+  }
+  return false;
+}
+
+// Ids are no quantities: there is nothing between two of them.
+const Planes& Vision::enhance(const VisionParameters& parameters) {
+  const bool smooths = parameters.smooth && sensor_ != SensorKind::surface;
+  if (smooths) smooth(raw_, scratch_, smoothed_);
+  const Planes& planes = smooths ? smoothed_ : raw_;
+  if (sensor_ == SensorKind::range)
+    show_codes(planes, code_step(parameters.range.normal_step_deg), shares_);
+  else if (sensor_ == SensorKind::surface)
+    show_codes(planes, 0, shares_);
+  else
+    normalise(planes, parameters, shares_);
+  return planes;
 }
 
 ViewGraph Vision::build_graph(const VisionParameters& parameters) {
@@ -87,6 +151,7 @@ ViewGraph Vision::build_graph(const VisionParameters& parameters) {
     const auto own = found.first(keep_largest(found, kMaxBlobContours));
     dropped += static_cast<int>(found.size() - own.size());
     contour_count = first + own.size();
+    colour_contours(parameters.sensor, own);
     blob.first_contour = static_cast<int>(first);
     blob.contour_count = static_cast<int>(own.size());
     blob.first_relation = static_cast<int>(relation_count);

@@ -10,6 +10,7 @@
 #include "runtime/vision/enhance.h"
 #include "runtime/vision/frame.h"
 #include "runtime/vision/planes.h"
+#include "runtime/vision/range_codes.h"
 #include "runtime/vision/segment.h"
 #include "runtime/vision/view_graph.h"
 #include "runtime/vision/vision_parameters.h"
@@ -24,10 +25,11 @@ class Vision {
  public:
   // Takes all memory for frames of up to width x height from the arena; never allocates later.
   // An arena without storage only counts the bytes.
-  void prepare(Arena& arena, int width_px, int height_px);
+  void prepare(Arena& arena, int width_px, int height_px, SensorKind sensor = SensorKind::colour);
 
   // The graph, and everything it points to, lives until the next run. A frame larger than was
-  // prepared for, or without pixels, gives an empty graph. O(pixels).
+  // prepared for, without pixels, or of another sensor than prepared for, gives an empty graph.
+  // parameters.sensor must be what was prepared for, too. O(pixels).
   ViewGraph run(const Frame& frame, const VisionParameters& parameters) noexcept;
 
   // Of the last run: for drawing and for the compiler's surface ids.
@@ -37,12 +39,16 @@ class Vision {
   int max_height_px() const { return height_px_; }
 
  private:
+  bool convert(const Frame& frame, const VisionParameters& parameters);
+  const Planes& enhance(const VisionParameters& parameters);
   ViewGraph build_graph(const VisionParameters& parameters);
 
+  SensorKind sensor_ = SensorKind::colour;
   int width_px_ = 0, height_px_ = 0;
   Planes raw_, smoothed_;
   Shares shares_;
   std::span<std::uint8_t> scratch_;
+  RangeCodes range_codes_;
   Segmenter segmenter_;
   ContourTracer tracer_;
   std::span<Contour> contours_;

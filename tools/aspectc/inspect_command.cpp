@@ -34,6 +34,7 @@ Json contour_json(const ClassIndex& index, const ClassContour& contour, std::siz
 Json index_json(const ClassIndex& index) {
   Json json{{"object", index.object},
             {"bytes", index.file_bytes},
+            {"sensor", name_of(index.vision.sensor)},
             {"level", index.level},
             {"threshold", index.threshold},
             {"cluster_threshold", index.cluster_threshold},
@@ -61,7 +62,8 @@ Json index_json(const ClassIndex& index) {
 void print_index(const ClassIndex& index) {
   double area = 0;
   for (const AspectClass& aspect : index.classes) area += static_cast<double>(aspect.area_fraction);
-  fmt::print("object {}, {:.1f} KiB, level {}, thresholds {} and {}, scored by {}\n", index.object,
+  fmt::print("object {}, seen in {}, {:.1f} KiB, level {}, thresholds {} and {}, scored by {}\n",
+             index.object, name_of(index.vision.sensor),
              static_cast<double>(index.file_bytes) / 1024, index.level, index.threshold,
              index.cluster_threshold, index.scoring);
   fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n\n",

@@ -129,8 +129,54 @@ void add_light(std::vector<Option>& all) {
       NumbersForm{3, {0, 1000}}, [](auto& s) -> auto& { return s.light.ambient; }));
 }
 
+// What suits one sensor does not suit another: all of the segmentation follows it, and is then
+// changed by the options that come after it.
+void choose_sensor(CompileSettings& settings, const OptionValue& value) {
+  VisionParameters& vision = settings.options.vision;
+  const auto sensor = static_cast<SensorKind>(std::get<int>(value));
+  if (sensor == vision.sensor) return;
+  const VisionParameters before = vision;
+  vision = default_parameters(sensor);
+  vision.relation_choice = before.relation_choice;
+  vision.relations_max = before.relations_max;
+}
+
+void add_range(std::vector<Option>& all) {
+  all.push_back(option(
+      {kSegmentation, "range_step_length", "--range-step-length", "scene units",
+       "length of one step of a range sensor's depths",
+       "0.001 where it counts in millimetres of a scene in metres"},
+      NumberForm{{1e-9, 1e9}},
+      [](auto& s) -> auto& { return s.options.vision.range.step_length; }));
+  all.push_back(option(
+      {kSegmentation, "range_steps_min", "--range-steps-min", "steps",
+       "nearer depths of a range sensor are background", ""},
+      WholeForm{{1, 65534}}, [](auto& s) -> auto& { return s.options.vision.range.steps_min; }));
+  all.push_back(option(
+      {kSegmentation, "range_steps_max", "--range-steps-max", "steps",
+       "farther depths of a range sensor are background", "cuts away what stands behind"},
+      WholeForm{{1, 65534}}, [](auto& s) -> auto& { return s.options.vision.range.steps_max; }));
+  all.push_back(option(
+      {kSegmentation, "range_depth_step", "--range-depth-step", "of the distance",
+       "a wider gap between neighbouring depths parts two surfaces",
+       "0.01; lower sees shallower steps, until noise does"},
+      NumberForm{{1e-5, 1}}, [](auto& s) -> auto& { return s.options.vision.range.depth_step; }));
+  all.push_back(option(
+      {kSegmentation, "range_normal_step_deg", "--range-normal-step-deg", "degrees",
+       "surfaces of a range picture that meet at less are one",
+       "12; lower tells flatter edges, until round surfaces fall apart"},
+      NumberForm{{1, 90}},
+      [](auto& s) -> auto& { return s.options.vision.range.normal_step_deg; }));
+}
+
 void add_segmentation(std::vector<Option>& all) {
   constexpr int kMostPixels = kMaxFrameSide_px * kMaxFrameSide_px;
+  Option sensor = option(
+      {kSegmentation, "sensor", "--sensor", "", "what frames are of",
+       "colours, grey values, depths or surface ids; the defaults below follow it"},
+      WordForm{kSensorNames}, [](auto& s) -> auto& { return s.options.vision.sensor; });
+  sensor.set = choose_sensor;
+  all.push_back(std::move(sensor));
   all.push_back(option(
       {kSegmentation, "intensity_min", "--intensity-min", "r + g + b",
        "pixels that are darker are background",
@@ -165,6 +211,7 @@ void add_segmentation(std::vector<Option>& all) {
       {kSegmentation, "smooth", "--smooth", "", "3 x 3 median before anything",
        "removes noise for a third of the time"},
       TruthForm{}, [](auto& s) -> auto& { return s.options.vision.smooth; }));
+  add_range(all);
 }
 
 void add_relations(std::vector<Option>& all) {

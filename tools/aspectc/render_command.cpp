@@ -6,6 +6,7 @@
 
 #include "compiler/aspects/observer.h"
 #include "tools/aspectc/prepared_object.h"
+#include "tools/aspectc/sensor_option.h"
 #include "tools/aspectc/whole_file.h"
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/region_draw.h"
@@ -31,6 +32,7 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& command) {
   render->add_flag("--segmented", command.segmented,
                    "what is seen: regions in false colours with contour ids");
   render->add_option("-o,--output", command.output, "picture to write (.png)")->required();
+  add_sensor_option(*render, command.sensor);
   return render;
 }
 
@@ -44,14 +46,13 @@ int run_render(const RenderCommand& command) {
     fmt::print(stderr, "aspectc: --from needs a direction other than 0,0,0\n");
     return 2;
   }
-  Observer observer(renderer.value(), scene.value().studio, VisionParameters{});
+  Observer observer(renderer.value(), scene.value().studio,
+                    default_parameters(sensor_named(command.sensor)));
   observer.observe(from.normalized());
-  const Picture& picture = observer.picture();
-  const Frame frame{picture.rgb.data(), picture.width_px, picture.height_px,
-                    3 * static_cast<std::ptrdiff_t>(picture.width_px), PixelFormat::rgb8};
+  const Frame& frame = observer.frame();
   const cv::Mat drawn = command.segmented ? draw_regions(observer.regions(), observer.graph(),
                                                          frame.width_px, frame.height_px)
-                                          : picture_of(frame);
+                                          : recorded_picture(frame);
   std::vector<std::uint8_t> png;
   if (!cv::imencode(".png", drawn, png))
     return fail(command.output + ": the picture could not be encoded");

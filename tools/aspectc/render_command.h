@@ -1,14 +1,17 @@
-// aspectc render SCENE --from X,Y,Z: one view as a picture, or what is seen in it.
+// aspectc render SCENE --from X,Y,Z: one view as the sensor gives it, or what is seen in
+// it. Range and surface frames are pictures of 16 bits.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "runtime/vision/sensor_kind.h"
+
 namespace aspect {
 
 struct RenderCommand {
-  std::string scene, output;
+  std::string scene, output, sensor = std::string(name_of(SensorKind::colour));
   std::vector<double> from;
   bool segmented = false;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/vision/contour_trace.h"
+#include "tools/draw/id_colour.h"
 
 namespace aspect {
 namespace {
@@ -18,18 +19,53 @@ int scale_for(cv::Size frame) {
   return std::clamp((kReadableSide_px + side - 1) / side, 1, kMaxScale);
 }
 
+cv::Mat depths_as_greys(const cv::Mat& depths) {
+  constexpr double kNearest = 255, kFarthest = 64;
+  const cv::Mat measured = (depths > 0) & (depths < 65535);
+  double least = 0, most = 0;
+  cv::minMaxLoc(depths, &least, &most, nullptr, nullptr, measured);
+  const double scale = most > least ? (kFarthest - kNearest) / (most - least) : 0;
+  cv::Mat greys, picture = cv::Mat::zeros(depths.size(), CV_8UC1);
+  depths.convertTo(greys, CV_8UC1, scale, kNearest - scale * least);
+  greys.copyTo(picture, measured);
+  return picture;
+}
+
+cv::Mat ids_as_colours(const cv::Mat& ids) {
+  cv::Mat picture = cv::Mat::zeros(ids.size(), CV_8UC3);
+  for (int y = 0; y < ids.rows; ++y)
+    for (int x = 0; x < ids.cols; ++x)
+      if (const int id = ids.at<std::uint16_t>(y, x); id != 0) {
+        const cv::Scalar colour = id_colour(id);
+        picture.at<cv::Vec3b>(y, x) = cv::Vec3b(cv::saturate_cast<std::uint8_t>(colour[0]),
+                                                cv::saturate_cast<std::uint8_t>(colour[1]),
+                                                cv::saturate_cast<std::uint8_t>(colour[2]));
+      }
+  return picture;
+}
+
 }  // namespace
 
-cv::Mat picture_of(const Frame& frame) {
+cv::Mat recorded_picture(const Frame& frame) {
+  const int channels = bytes_per_pixel(frame.format);
+  const int type = channels == 3 ? CV_8UC3 : channels == 2 ? CV_16UC1 : CV_8UC1;
   // OpenCV has no read-only view; the copy below is what gets drawn on.
-  const cv::Mat view(frame.height_px, frame.width_px, CV_8UC3,
-                     const_cast<std::uint8_t*>(frame.data),
+  const cv::Mat view(frame.height_px, frame.width_px, type, const_cast<std::uint8_t*>(frame.data),
                      static_cast<std::size_t>(frame.stride_bytes));
   cv::Mat picture;
-  if (frame.format == PixelFormat::bgr8)
-    view.copyTo(picture);
-  else
+  if (frame.format == PixelFormat::rgb8)
     cv::cvtColor(view, picture, cv::COLOR_RGB2BGR);
+  else
+    view.copyTo(picture);
+  return picture;
+}
+
+cv::Mat picture_of(const Frame& frame) {
+  cv::Mat picture = recorded_picture(frame);
+  if (picture.type() == CV_16UC1)
+    picture =
+        frame.format == PixelFormat::label16 ? ids_as_colours(picture) : depths_as_greys(picture);
+  if (picture.channels() == 1) cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
   return picture;
 }
 

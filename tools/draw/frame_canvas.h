@@ -11,8 +11,13 @@
 
 namespace aspect {
 
-// The frame with its own pixels, in OpenCV's order of colours.
+// The frame in colours of 8 bits, in OpenCV's order: depths as greys, the nearer the lighter, and
+// surface ids in colours of their own.
 cv::Mat picture_of(const Frame& frame);
+
+// The frame with its own pixels, as a file keeps them: colours in OpenCV's order, or one channel of
+// 8 or 16 bits.
+cv::Mat recorded_picture(const Frame& frame);
 
 class FrameCanvas {
  public:

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "compiler/render/sensor.h"
 #include "tools/aspectc/prepared_object.h"
 #include "tools/eval/object_symmetry.h"
 #include "tools/eval/random_directions.h"
@@ -17,15 +18,14 @@ namespace {
 class TestBench {
  public:
   TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings)
-      : recogniser_(indexes, parameters_for(indexes, settings)) {}
+      : recogniser_(indexes, parameters_for(indexes, settings)),
+        sensor_(make_sensor(indexes.front().vision)) {}
 
   // The result lives until the next call.
   Recognition recognise(const EvaluatedObject& object, const Eigen::Vector3d& direction) {
     object.renderer.render(camera_at(object.scene.studio, direction), picture_);
     recogniser_.make_room(picture_.width_px, picture_.height_px);
-    return recogniser_.recognise({picture_.rgb.data(), picture_.width_px, picture_.height_px,
-                                  3 * static_cast<std::ptrdiff_t>(picture_.width_px),
-                                  PixelFormat::rgb8});
+    return recogniser_.recognise(sensor_->frame_of(picture_));
   }
 
  private:
@@ -41,6 +41,7 @@ class TestBench {
   }
 
   SizedRecogniser recogniser_;
+  std::unique_ptr<Sensor> sensor_;
   Picture picture_;
 };
 
@@ -146,7 +147,8 @@ Result<EvaluatedObject> EvaluatedObject::create(const std::filesystem::path& ind
   if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};
   Result<ClassViews> views = ClassViews::create(index);
   if (!views) return Error{index_file.native() + ": " + views.error()};
-  std::vector<Eigen::Matrix3d> rotations = object_rotations(scene.value());
+  std::vector<Eigen::Matrix3d> rotations =
+      object_rotations(as_seen_by(index.vision.sensor, scene.value()));
   return EvaluatedObject{index_file.native(),      std::move(index),
                          std::move(scene).value(), std::move(renderer).value(),
                          std::move(views).value(), std::move(rotations)};

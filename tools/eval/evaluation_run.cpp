@@ -60,6 +60,12 @@ std::vector<EvaluatedObject> load_objects(std::vector<NamedIndex> indexes,
       console.fail(object.error());
       continue;
     }
+    if (!objects.empty() &&
+        objects.front().index.vision.sensor != object.value().index.vision.sensor) {
+      console.fail(fmt::format("{}: compiled for another sensor than {}; leave one of them out",
+                               options.indexes[k].native(), objects.front().index_file));
+      continue;
+    }
     const auto same = std::find_if(objects.begin(), objects.end(), [&](const auto& other) {
       return other.index.object == object.value().index.object;
     });

@@ -156,6 +156,20 @@ double radius_about(const Scene& scene) {
 
 }  // namespace
 
+Scene as_seen_by(SensorKind sensor, Scene scene) {
+  if (sensor == SensorKind::range)
+    for (Primitive& primitive : scene.primitives) primitive.surface = 0;
+  if (sensor != SensorKind::surface) return scene;
+  scene.surfaces.clear();
+  for (Primitive& primitive : scene.primitives) {
+    primitive.surface = static_cast<int>(scene.surfaces.size());
+    Surface surface;
+    surface.ambient = Eigen::Vector3d::Constant(primitive.surface);
+    scene.surfaces.push_back(surface);
+  }
+  return scene;
+}
+
 std::vector<Eigen::Matrix3d> object_rotations(const Scene& scene) {
   RotationSet candidates;
   candidates.add(Eigen::Matrix3d::Identity());

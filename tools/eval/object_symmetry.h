@@ -1,10 +1,11 @@
-// The proper rotations that leave an object as it is, in shape and colour.
+// The proper rotations that leave an object as it is, in shape and in what a sensor sees of it.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
 #include "compiler/scene/scene.h"
+#include "runtime/vision/sensor_kind.h"
 
 namespace aspect {
 
@@ -14,6 +15,10 @@ namespace aspect {
 // Compares the lists of primitives: a face that is cut differently from its image hides a symmetry.
 // Lights are left out. O(candidates * primitives^2) at worst.
 std::vector<Eigen::Matrix3d> object_rotations(const Scene& scene);
+
+// The scene with the surfaces that a sensor tells apart: a range sensor sees no colours, one for
+// surface ids tells every primitive from every other.
+Scene as_seen_by(SensorKind sensor, Scene scene);
 
 // Angle between two unit vectors; at most `pi`.
 double angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);

@@ -25,6 +25,11 @@ std::string differences(const VisionParameters& first, const VisionParameters& o
   compare("area_min_px", first.area_min_px, other.area_min_px);
   compare("thickness_min_px", first.thickness_min_px, other.thickness_min_px);
   compare("smooth", first.smooth, other.smooth);
+  if (first.sensor != SensorKind::range) return text;
+  compare("range_steps_min", first.range.steps_min, other.range.steps_min);
+  compare("range_steps_max", first.range.steps_max, other.range.steps_max);
+  compare("range_depth_step", first.range.depth_step, other.range.depth_step);
+  compare("range_normal_step_deg", first.range.normal_step_deg, other.range.normal_step_deg);
   return text;
 }
 
@@ -49,6 +54,14 @@ void add_index(const fs::path& file, ClassIndex index, IndexSet& set, Console& c
     const auto place = static_cast<std::size_t>(same - set.indexes.begin());
     console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out",
                              file.native(), same->object, set.files[place].native()));
+    return;
+  }
+  if (!set.indexes.empty() && set.indexes.front().vision.sensor != index.vision.sensor) {
+    console.fail(
+        fmt::format("{}: compiled for frames of a {} sensor, {} of a {} one; one run "
+                    "looks at frames of one sensor, leave one of them out",
+                    file.native(), name_of(index.vision.sensor), set.files.front().native(),
+                    name_of(set.indexes.front().vision.sensor)));
     return;
   }
   const std::string different =

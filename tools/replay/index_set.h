@@ -11,8 +11,9 @@
 namespace aspect {
 
 // Those that can be used, of files with one index or with several. Each of the others is one
-// failure on the console: unreadable, given twice, or with the name of an object that is already
-// there. A warning where one was compiled with another segmentation than the first.
+// failure on the console: unreadable, given twice, with the name of an object that is already
+// there, or of another sensor than the first. A warning where one was compiled with another
+// segmentation than the first.
 std::vector<ClassIndex> load_indexes(std::span<const std::filesystem::path> files,
                                      Console& console);
 

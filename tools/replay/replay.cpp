@@ -119,7 +119,7 @@ int replay(const ReplayOptions& options) {
   configuration.apply(parameters);
   options.recognition.apply(parameters);
 
-  RecordedFrames frames(options.frames);
+  RecordedFrames frames(options.frames, parameters.vision.sensor);
   FrameLoop loop(indexes, parameters, pictures.value(), console);
   process_all(frames, options.pace_fps, loop, console);
   return console.failures() == 0 ? 0 : kFailed;

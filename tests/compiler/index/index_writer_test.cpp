@@ -157,6 +157,49 @@ TEST_CASE("the settings of the compilation are read again") {
   CHECK(provenance->min_level() == 3);
 }
 
+TEST_CASE("the sensor and its parameters are read again, and a colour index is of version 1") {
+  DescribedModel described = described_model("cube", 3);
+  const auto version = [](const WrittenIndex& written) {
+    return schema::GetClassIndex(written.bytes.data())->format_version();
+  };
+  CHECK(version(write_index(described.contents())) == 1);
+  for (const SensorKind sensor : {SensorKind::grey, SensorKind::range, SensorKind::surface}) {
+    VisionParameters& v = described.options.vision;
+    v.sensor = sensor;
+    v.range = {0.002F, 300, 4000, 0.03F, 17.5F, 0};
+    const WrittenIndex written = write_index(described.contents());
+    CHECK(version(written) == 2);
+    const ClassIndex index = parsed(written).value();
+    CHECK(index.vision.sensor == sensor);
+    if (sensor != SensorKind::range) continue;
+    CHECK(index.vision.range.step_length == 0.002F);
+    CHECK(index.vision.range.steps_min == 300);
+    CHECK(index.vision.range.steps_max == 4000);
+    CHECK(index.vision.range.depth_step == 0.03F);
+    CHECK(index.vision.range.normal_step_deg == 17.5F);
+    CHECK(index.vision.range.field_of_view_deg == index.field_of_view_deg);
+  }
+}
+
+TEST_CASE("a sensor's parameters that cannot be are refused in one line") {
+  DescribedModel described = described_model("cube", 3);
+  described.options.vision.sensor = SensorKind::range;
+  const RangeParameters good;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const RangeParameters& bad :
+       {RangeParameters{nan, 1, 9, 0.01F, 12, 50}, RangeParameters{0, 1, 9, 0.01F, 12, 50},
+        RangeParameters{1e-4F, 10, 9, 0.01F, 12, 50}, RangeParameters{1e-4F, 1, 9, nan, 12, 50},
+        RangeParameters{1e-4F, 1, 9, 0, 12, 50}, RangeParameters{1e-4F, 1, 9, 0.01F, nan, 50},
+        RangeParameters{1e-4F, 1, 9, 0.01F, 200, 50}}) {
+    described.options.vision.range = bad;
+    const Result<ClassIndex> index = parsed(write_index(described.contents()));
+    REQUIRE_FALSE(index.ok());
+    CHECK(index.error().find("range parameters that cannot be") != std::string::npos);
+  }
+  described.options.vision.range = good;
+  CHECK(parsed(write_index(described.contents())).ok());
+}
+
 TEST_CASE("the index maps every leaf of the viewing sphere to its class") {
   const DescribedModel described = described_model("cube", 3);
   const ClassIndex index = parsed(write_index(described.contents())).value();

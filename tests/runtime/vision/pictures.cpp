@@ -74,16 +74,17 @@ bool has_bridges(const cv::Mat& components) {
 
 }  // namespace
 
-std::size_t vision_bytes(int width_px, int height_px) {
+std::size_t vision_bytes(int width_px, int height_px, SensorKind sensor) {
   Arena counting;
   Vision vision;
-  vision.prepare(counting, width_px, height_px);
+  vision.prepare(counting, width_px, height_px, sensor);
   return counting.used_bytes();
 }
 
-OwnedVision::OwnedVision(int width_px, int height_px) : memory_(vision_bytes(width_px, height_px)) {
+OwnedVision::OwnedVision(int width_px, int height_px, SensorKind sensor)
+    : memory_(vision_bytes(width_px, height_px, sensor)) {
   Arena arena = memory_.arena();
-  vision_.prepare(arena, width_px, height_px);
+  vision_.prepare(arena, width_px, height_px, sensor);
   arena.seal();
 }
 

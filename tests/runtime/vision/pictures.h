@@ -25,14 +25,17 @@ class OwnedArena {
   std::vector<CacheLine> lines_;
 };
 
-std::size_t vision_bytes(int width_px, int height_px);
+std::size_t vision_bytes(int width_px, int height_px, SensorKind sensor = SensorKind::colour);
 
 // Vision with memory of its own.
 class OwnedVision {
  public:
-  OwnedVision(int width_px, int height_px);
+  OwnedVision(int width_px, int height_px, SensorKind sensor = SensorKind::colour);
   // `picture`: 8 bits, 3 channels, red first.
   ViewGraph run(const cv::Mat& picture, const VisionParameters& parameters = {});
+  ViewGraph run(const Frame& frame, const VisionParameters& parameters) {
+    return vision_.run(frame, parameters);
+  }
   Vision& vision() { return vision_; }
   const RegionMap& regions() const { return vision_.regions(); }
 

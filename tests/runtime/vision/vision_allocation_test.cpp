@@ -51,6 +51,35 @@ TEST_CASE("a thousand frames of all kinds take no memory from the heap") {
   REQUIRE(crowded > 0);
 }
 
+TEST_CASE("frames of other sensors take no memory from the heap either") {
+  std::mt19937 random(40);
+  std::vector<std::uint8_t> bytes(2 * 128 * 96);
+  for (const SensorKind sensor : {SensorKind::grey, SensorKind::range, SensorKind::surface}) {
+    OwnedVision vision(128, 96, sensor);
+    const PixelFormat format = sensor == SensorKind::grey    ? PixelFormat::grey8
+                               : sensor == SensorKind::range ? PixelFormat::depth16
+                                                             : PixelFormat::label16;
+    std::size_t contours = 0;
+    const std::uint64_t before = allocation_count();
+    for (int i = 0; i < 100; ++i) {
+      // Fields of 16 rows and 32 bytes, and noise in every fifth frame.
+      for (std::size_t k = 0; k < bytes.size(); ++k) {
+        const bool starts_field = k % 32 == 0 && k / 256 % 16 == 0;
+        bytes[k] = starts_field || i % 5 == 0 ? static_cast<std::uint8_t>(random())
+                   : k % 32 != 0              ? bytes[k - 1]
+                                              : bytes[k - 256];
+      }
+      const Frame frame{bytes.data(), 128, 96, 128 * bytes_per_pixel(format), format};
+      VisionParameters parameters = default_parameters(sensor);
+      parameters.area_min_px = 1;
+      parameters.thickness_min_px = 0;
+      contours += vision.run(frame, parameters).contours.size();
+    }
+    REQUIRE(allocation_count() - before == 0);
+    REQUIRE(contours > 0);
+  }
+}
+
 TEST_CASE("the counter that says so counts in this program") {
   const std::uint64_t before = allocation_count();
   const std::vector<cv::Mat> frames = varied_frames();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -95,12 +96,12 @@ void check_graph(const ViewGraph& graph, const RegionMap& map) {
 
 class PreparedVision {
  public:
-  PreparedVision() {
+  explicit PreparedVision(SensorKind sensor) {
     Arena counting;
-    vision_.prepare(counting, kSide_px, kSide_px);
+    vision_.prepare(counting, kSide_px, kSide_px, sensor);
     lines_.resize((counting.used_bytes() + 63) / 64);
     Arena arena(std::as_writable_bytes(std::span(lines_)));
-    vision_.prepare(arena, kSide_px, kSide_px);
+    vision_.prepare(arena, kSide_px, kSide_px, sensor);
   }
   Vision& vision() { return vision_; }
 
@@ -112,8 +113,34 @@ class PreparedVision {
   Vision vision_;
 };
 
+// The same boxes as a frame of another sensor: red and green are a number of 16 bits, which rises
+// along x by some of blue, so that depths slant.
+void run_other(SensorKind sensor, PixelFormat format, const std::vector<std::uint8_t>& rgb,
+               int width, int height, VisionParameters parameters) {
+  static std::array<PreparedVision, 3> prepared = {PreparedVision(SensorKind::grey),
+                                                   PreparedVision(SensorKind::range),
+                                                   PreparedVision(SensorKind::surface)};
+  const int bytes = bytes_per_pixel(format);
+  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height * bytes));
+  for (int i = 0; i < width * height; ++i) {
+    const std::uint8_t* from = rgb.data() + 3 * i;
+    const int slant = sensor == SensorKind::range ? i % width * (from[2] % 16) : 0;
+    const auto number = static_cast<std::uint16_t>(from[0] + 256 * from[1] + slant);
+    std::memcpy(pixels.data() + bytes * i, &number, static_cast<std::size_t>(bytes));
+  }
+  parameters.sensor = sensor;
+  parameters.range.steps_min = parameters.chroma_step;
+  parameters.range.depth_step = 0.001F * static_cast<float>(1 + parameters.noise_steps);
+  parameters.range.normal_step_deg = static_cast<float>(1 + parameters.area_min_px);
+  parameters.range.field_of_view_deg = static_cast<float>(10 + parameters.area_min_px);
+  Vision& vision = prepared[static_cast<std::size_t>(sensor) - 1].vision();
+  const ViewGraph graph =
+      vision.run({pixels.data(), width, height, std::ptrdiff_t{bytes} * width, format}, parameters);
+  check_graph(graph, vision.regions());
+}
+
 void run_one(std::span<const std::uint8_t> input) {
-  static PreparedVision prepared;
+  static PreparedVision prepared(SensorKind::colour);
   Bits bits(input);
   const int width = 1 + bits.below(kSide_px), height = 1 + bits.below(kSide_px);
   const VisionParameters parameters = parameters_from(bits);
@@ -122,6 +149,9 @@ void run_one(std::span<const std::uint8_t> input) {
                     input.size() % 2 == 0 ? PixelFormat::rgb8 : PixelFormat::bgr8};
   const ViewGraph graph = prepared.vision().run(frame, parameters);
   check_graph(graph, prepared.vision().regions());
+  run_other(SensorKind::grey, PixelFormat::grey8, pixels, width, height, parameters);
+  run_other(SensorKind::range, PixelFormat::depth16, pixels, width, height, parameters);
+  run_other(SensorKind::surface, PixelFormat::label16, pixels, width, height, parameters);
 }
 
 }  // namespace

@@ -125,4 +125,13 @@ TEST_CASE("The error of a view is the least over the rotations") {
 }
 
 }  // namespace
+TEST_CASE("what a sensor does not see does not part rotations") {
+  const Scene dice = scene_of(block(1, 1, 1, {0, 1, 2, 3, 4, 5}));
+  CHECK(object_rotations(as_seen_by(SensorKind::colour, dice)).size() == 1);
+  CHECK(object_rotations(as_seen_by(SensorKind::range, dice)).size() == 24);
+  const Scene plain = scene_of(block(1, 1, 1, {0, 0, 0, 0, 0, 0}));
+  CHECK(object_rotations(as_seen_by(SensorKind::colour, plain)).size() == 24);
+  CHECK(object_rotations(as_seen_by(SensorKind::surface, plain)).size() == 1);
+}
+
 }  // namespace aspect
