@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/render/ear_clipping.h"
+#include "compiler/render/surface_normal.h"
 
 namespace aspect {
 namespace {
@@ -21,15 +22,9 @@ struct NormalAt {
   Vector3d polygon_normal;
 
   Vector3d operator()(const Polygon&) const { return polygon_normal; }
-  Vector3d operator()(const Sphere& sphere) const { return (point - sphere.center).normalized(); }
-  Vector3d operator()(const Ring& ring) const { return ring.normal; }
-  Vector3d operator()(const Cone& cone) const {
-    const Vector3d whole = cone.apex - cone.base;
-    const Vector3d axis = whole.normalized();
-    const Vector3d from_base = point - cone.base;
-    const Vector3d outwards = (from_base - from_base.dot(axis) * axis).normalized();
-    const double slope = (cone.apex_radius - cone.base_radius) / whole.norm();
-    return (outwards - slope * axis).normalized();
+  template <typename Shape>
+  Vector3d operator()(const Shape& shape) const {
+    return aspect::normal_at(shape, point);
   }
 };
 
@@ -75,12 +70,12 @@ void Shading::shade(const EmbreeScene& scene, const Vector3d& camera_object, con
     const double distance = (camera_object - hits.point_object[k]).norm();
     starts.point_object[k] += kShadowOffset * distance * normals[k];
   }
-  for (const PointLight& light : lights_) add_light(light, scene, starts, normals, sums);
+  for (const Light& light : lights_) add_light(light, scene, starts, normals, sums);
   for (std::size_t k = 0; k < 16; ++k)
     if (hits.primitive[k] >= 0) colors[k] = to_8_bit(sums[k]);
 }
 
-void Shading::add_light(const PointLight& light, const EmbreeScene& scene, const PacketHits& hits,
+void Shading::add_light(const Light& light, const EmbreeScene& scene, const PacketHits& hits,
                         const std::array<Vector3d, 16>& normals,
                         std::array<Vector3d, 16>& sums) const {
   alignas(64) std::array<int, 16> valid{};

@@ -26,6 +26,12 @@ struct Farthest {
     }
     return farthest;
   }
+  double operator()(const SmoothTriangle& triangle) const {
+    double farthest = 0;
+    for (const Eigen::Vector3d& vertex : triangle.vertices)
+      farthest = std::max(farthest, (vertex - origin).norm());
+    return farthest;
+  }
   double operator()(const Sphere& sphere) const {
     return (sphere.center - origin).norm() + sphere.radius;
   }

@@ -43,6 +43,17 @@ struct Comparison {
       }
     return false;
   }
+  bool alike(const SmoothTriangle& a, const SmoothTriangle& b) const {
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    do {
+      std::size_t k = 0;
+      while (k < 3 && near(a.vertices[k], b.vertices[order[k]]) &&
+             (rotation * a.normals[k] - b.normals[order[k]]).norm() <= kLength)
+        ++k;
+      if (k == 3) return true;
+    } while (std::next_permutation(order.begin(), order.end()));
+    return false;
+  }
   bool alike(const Sphere& a, const Sphere& b) const {
     return near(a.radius, b.radius) && near(a.center, b.center);
   }

@@ -19,7 +19,7 @@ Scene empty_scene(int width_px, int height_px) {
   return scene;
 }
 
-void add_shape(Scene& scene, const std::variant<Polygon, Sphere, Ring, Cone>& shape) {
+void add_shape(Scene& scene, const decltype(Primitive::shape)& shape) {
   const auto number = static_cast<int>(scene.primitives.size());
   const Vector3d color(0.1 + 0.13 * (number % 7), 0.9 - 0.2 * (number % 5), 0.2 * (number % 4));
   scene.surfaces.push_back({color, color});

@@ -14,7 +14,7 @@ namespace aspect {
 Scene empty_scene(int width_px, int height_px);
 
 // Adds a primitive with a surface of its own, coloured by its number.
-void add_shape(Scene& scene, const std::variant<Polygon, Sphere, Ring, Cone>& shape);
+void add_shape(Scene& scene, const decltype(Primitive::shape)& shape);
 
 // Six polygons.
 void add_box(Scene& scene, const Eigen::Vector3d& least, const Eigen::Vector3d& greatest);
