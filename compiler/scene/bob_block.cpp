@@ -42,13 +42,20 @@ void BobBlock::vector(std::string_view name, Eigen::Vector3d& value) {
   field(name, [this, &value](const BobWord&) { value = numbers_.vector(); });
 }
 
+Eigen::Vector3d read_color(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
+                           const BobWord& name) {
+  const Eigen::Vector3d color = numbers.vector();
+  if (color.minCoeff() < 0 || color.maxCoeff() > 1) {
+    warnings.add(words, name,
+                 fmt::format("{} {:g} {:g} {:g} is out of 0..1; write parts of 1", name.text,
+                             color.x(), color.y(), color.z()));
+  }
+  return color;
+}
+
 void BobBlock::color(std::string_view name, Eigen::Vector3d& value) {
   field(name, [this, &value](const BobWord& word) {
-    value = numbers_.vector();
-    if (value.minCoeff() >= 0 && value.maxCoeff() <= 1) return;
-    warnings_.add(words_, word,
-                  fmt::format("{} {:g} {:g} {:g} is out of 0..1; write parts of 1", word.text,
-                              value.x(), value.y(), value.z()));
+    value = read_color(words_, numbers_, warnings_, word);
   });
 }
 

@@ -29,6 +29,10 @@ class BobWarnings {
   std::vector<std::string>& lines_;
 };
 
+// Three numbers; warns where one is out of 0..1. `name` is the word in front of them.
+Eigen::Vector3d read_color(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
+                           const BobWord& name);
+
 // Declares the fields of one statement, then reads them. Throws BobError at an unknown field, one
 // given twice, one that is missing, and at whatever a field's own reader finds.
 class BobBlock {

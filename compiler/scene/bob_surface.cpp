@@ -42,7 +42,7 @@ void BobSurfaceReader::read_shine(const BobWord& word, Surface& surface, bool& i
                                   surface.shine, kMaxShine));
   }
   is_colored = color_follows();
-  if (is_colored) surface.shine_color = numbers_.vector();
+  if (is_colored) surface.shine_color = read_color(words_, numbers_, warnings_, word);
 }
 
 std::shared_ptr<const Texture> BobSurfaceReader::read_texture(const BobWord& statement) {
@@ -70,10 +70,11 @@ std::shared_ptr<const Texture> BobSurfaceReader::read_texture(const BobWord& sta
   return texture;
 }
 
-Checker BobSurfaceReader::read_checker(const BobWord&) {
+Checker BobSurfaceReader::read_checker(const BobWord& word) {
   Checker checker;
   if (!color_follows()) return checker;
-  for (Eigen::Vector3d& color : checker.colors) color = numbers_.vector();
+  for (Eigen::Vector3d& color : checker.colors)
+    color = read_color(words_, numbers_, warnings_, word);
   return checker;
 }
 

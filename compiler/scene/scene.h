@@ -27,7 +27,7 @@ struct Surface {
   double fuzz = 0;        // how far the end of the unit normal strays in mirrors and glass
   bool antialias = true;  // false: pixels that show only such surfaces are not split
   bool casts_shadow = true;
-  std::shared_ptr<const Texture> texture;  // multiplies diffuse and ambient; null: none
+  std::shared_ptr<const Texture> texture = nullptr;  // multiplies diffuse and ambient; null: none
 };
 
 // Planar, convex or not, either winding, seen from both sides.
@@ -87,7 +87,7 @@ struct Light {
   double radius = 0;                    // of a spherical light
   int samples = 16;                     // points of a spherical light
   int falloff = 0;                      // 0, 1 or 2
-  std::optional<Spot> spot;
+  std::optional<Spot> spot = std::nullopt;
 };
 
 enum class Antialias {
