@@ -81,8 +81,13 @@ struct Comparison {
     const auto near_colour = [](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
       return (x - y).cwiseAbs().maxCoeff() <= kColour;
     };
+    // A pattern does not turn with the object.
+    if (first.texture != nullptr || other.texture != nullptr)
+      return a == b && rotation.isIdentity(kLength);
     // Without lights only ambient light shows a surface's colour.
     return near_colour(first.ambient, other.ambient) &&
+           near_colour(first.specular, other.specular) &&
+           near_colour(first.transparent, other.transparent) &&
            (scene.lights.empty() || near_colour(first.diffuse, other.diffuse));
   }
 

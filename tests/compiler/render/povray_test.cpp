@@ -225,7 +225,7 @@ TEST_CASE("a mirror shows what POV-Ray's shows, in another mirror too") {
 }
 
 TEST_CASE("glass bends light as POV-Ray's does, and tints it") {
-  const std::string before = kStudio + std::string("} ") + kChecker + kFloor;
+  const std::string before = kStudio + std::string("} ") + kLamp + kChecker + kFloor;
   require_like_povray("glass", before +
                                    "surface { diffuse 0 0 0 ambient 0 0 0 transparent 1 1 1 ior "
                                    "1.5 } sphere { center 0 0 -.05 radius .14 }");
@@ -235,7 +235,7 @@ TEST_CASE("glass bends light as POV-Ray's does, and tints it") {
 }
 
 TEST_CASE("light fades inside of glass with the length of its way as in POV-Ray") {
-  Scene scene = scene_of(kStudio + std::string("} ") + kChecker + kFloor +
+  Scene scene = scene_of(kStudio + std::string("} ") + kLamp + kChecker + kFloor +
                          "surface { diffuse 0 0 0 ambient 0 0 0 transparent .5 .1 .02 ior 1.2 } "
                          "sphere { center 0 0 -.05 radius .14 }");
   scene.studio.exponential_transparency = true;
