@@ -92,6 +92,7 @@ TEST_CASE("a highlight has its own colour and Phong's power, on the light's side
   const double cosine = bounced.dot((Vector3d(2, 0, 1) - seen).normalized());
   require_color(scene.color(from, seen), std::pow(cosine, 7) * Vector3d(.1, .4, .8));
   require_color(scene.color({from.x(), from.y(), -from.z()}, seen), Vector3d::Zero());
+  require_color(scene.color({3, 0, .2}, seen), Vector3d::Zero());  // bounced away from the light
 }
 
 TEST_CASE("light through glass fades by the length of its way, and at once with no_exp_trans") {
