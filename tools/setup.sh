@@ -6,13 +6,18 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
-  libembree-dev libtbb-dev libsqlite3-dev libassimp-dev  # the compiler's
+  libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
+  libassimp-dev libpng-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libopencv-dev  # the tools'
-  catch2 libdxflib-dev libbenchmark-dev python3          # tests and benchmarks
+)
+test_packages=(
+  catch2 libbenchmark-dev python3                        # tests and benchmarks
+  libdxflib-dev                                          # whose colours ours are compared with
+  povray                                                 # the renderer that ours is compared with
 )
 
 missing=()
-for package in "${packages[@]}"; do
+for package in "${packages[@]}" "${test_packages[@]}"; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing+=("$package")
 done

@@ -18,6 +18,7 @@ void add_run(const Run& run, const Picture& picture, const Intrinsics& camera,
   const std::size_t row =
       static_cast<std::size_t>(run.row) * static_cast<std::size_t>(picture.width_px);
   const double slope_y = (run.row - camera.cy_px) / camera.fy_px;
+  const bool orthogonal = camera.projection == Projection::kOrthogonal;
   std::uint16_t surface = 0;
   std::uint32_t length = 0;
   const auto count_surface = [&] {
@@ -33,8 +34,9 @@ void add_run(const Run& run, const Picture& picture, const Intrinsics& camera,
     ++length;
     if (surface == 0) continue;
     const auto depth = static_cast<double>(picture.depth[i]);
-    points.x += (x - camera.cx_px) / camera.fx_px * depth;
-    points.y += slope_y * depth;
+    const double spread = orthogonal ? 1 : depth;
+    points.x += (x - camera.cx_px) / camera.fx_px * spread;
+    points.y += slope_y * spread;
     points.z += depth;
     points.pixels += 1;
   }

@@ -25,7 +25,10 @@ Intrinsics intrinsics_of(const Studio& studio) {
     return {studio.width_px, studio.height_px, lens.fx_px, lens.fy_px, lens.cx_px, lens.cy_px};
   }
   const double half_angle = studio.angle_deg * std::numbers::pi / 360;
-  result.fx_px = studio.width_px / (2 * std::tan(half_angle));
+  result.projection = studio.projection;
+  result.fx_px = studio.projection == Projection::kOrthogonal
+                     ? studio.width_px / studio.width
+                     : studio.width_px / (2 * std::tan(half_angle));
   result.fy_px = result.fx_px * studio.aspect * studio.height_px / studio.width_px;
   result.cx_px = (studio.width_px - 1) / 2.0;
   result.cy_px = (studio.height_px - 1) / 2.0;
@@ -52,6 +55,14 @@ Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object, 
 
 Camera camera_at(const Studio& studio, const Eigen::Vector3d& direction_object) {
   return camera_at(studio, direction_object, studio.distance);
+}
+
+ViewRay view_ray(const Camera& camera, double x_px, double y_px) {
+  const Eigen::Vector3d at_depth_0 = camera.intrinsics.point_camera(x_px, y_px, 0);
+  const Eigen::Vector3d at_depth_1 = camera.intrinsics.point_camera(x_px, y_px, 1);
+  const Eigen::Matrix3d object_from_camera = camera.camera_from_object.transpose();
+  return {camera.position_object + object_from_camera * at_depth_0,
+          object_from_camera * (at_depth_1 - at_depth_0)};
 }
 
 }  // namespace aspect

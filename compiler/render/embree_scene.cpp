@@ -24,6 +24,8 @@ double reach_of(const Scene& scene) {
       for (const Vector3d& vertex : polygon->vertices) take(vertex, 0);
     if (const auto* mesh = std::get_if<Mesh>(&primitive.shape))
       for (const Vector3d& vertex : mesh->vertices) take(vertex, 0);
+    if (const auto* triangle = std::get_if<SmoothTriangle>(&primitive.shape))
+      for (const Vector3d& vertex : triangle->vertices) take(vertex, 0);
     if (const auto* sphere = std::get_if<Sphere>(&primitive.shape))
       take(sphere->center, sphere->radius);
     if (const auto* ring = std::get_if<Ring>(&primitive.shape))
@@ -60,6 +62,7 @@ Result<EmbreeScene> EmbreeScene::create(const Scene& scene,
   rtcSetSceneFlags(result.scene_, RTC_SCENE_FLAG_ROBUST);
   const double overlap = kOverlap * reach_of(scene);
   result.add_triangles(scene, triangles);
+  result.add_smooth_triangles(scene);
   result.add_round_shapes<Sphere>(scene, overlap, result.spheres_);
   result.add_round_shapes<Ring>(scene, overlap, result.rings_);
   result.add_round_shapes<Cone>(scene, overlap, result.cones_);

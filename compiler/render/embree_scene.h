@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,17 @@ class EmbreeScene {
   void intersect(const int* valid, RTCRayHit16& packet) const;
   void occlude(const int* valid, RTCRay16& packet) const;
 
+  struct Hit {
+    std::int32_t primitive = 0;
+    double distance = 0;           // in lengths of the direction
+    Eigen::Vector3d plane_normal;  // of flat shapes, any length, either side
+  };
+  // One ray, from its origin on to origin + reach * direction.
+  std::optional<Hit> first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                               double reach = std::numeric_limits<double>::infinity()) const;
+  bool is_blocked(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                  double reach) const;
+
   // The scene's primitive behind a hit's two ids.
   std::int32_t primitive_of(unsigned geometry, unsigned part) const {
     return primitives_[first_part_[geometry] + part];
@@ -43,6 +56,7 @@ class EmbreeScene {
  private:
   EmbreeScene() = default;
   void add_triangles(const Scene& scene, std::span<const std::vector<Triangle>> triangles);
+  void add_smooth_triangles(const Scene& scene);
   template <typename Shape, typename Rounded>
   void add_round_shapes(const Scene& scene, double overlap, std::vector<Rounded>& shapes);
   void add(RTCGeometry geometry);

@@ -90,6 +90,11 @@ class Builder {
     }
   }
 
+  void add(const SmoothTriangle& triangle, std::uint32_t primitive, SceneOutline::Frame& frame) {
+    const auto& [a, b, c] = triangle.vertices;
+    add(Polygon{{a, b, c}}, primitive, frame);
+  }
+
   // Around a sphere stands an icosahedron: 20 % more area than its picture, from everywhere.
   void add(const Sphere& sphere, std::uint32_t, SceneOutline::Frame&) {
     constexpr double phi = std::numbers::phi;

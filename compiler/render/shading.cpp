@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/render/surface_normal.h"
 #include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
@@ -22,15 +23,9 @@ struct NormalAt {
   std::uint32_t triangle;
 
   Vector3d operator()(const Polygon&) const { return polygon_normal; }
-  Vector3d operator()(const Sphere& sphere) const { return (point - sphere.center).normalized(); }
-  Vector3d operator()(const Ring& ring) const { return ring.normal; }
-  Vector3d operator()(const Cone& cone) const {
-    const Vector3d whole = cone.apex - cone.base;
-    const Vector3d axis = whole.normalized();
-    const Vector3d from_base = point - cone.base;
-    const Vector3d outwards = (from_base - from_base.dot(axis) * axis).normalized();
-    const double slope = (cone.apex_radius - cone.base_radius) / whole.norm();
-    return (outwards - slope * axis).normalized();
+  template <typename Shape>
+  Vector3d operator()(const Shape& shape) const {
+    return aspect::normal_at(shape, point);
   }
   Vector3d operator()(const Mesh& mesh) const {
     const auto& [a, b, c] = mesh.triangles[triangle];
@@ -81,12 +76,12 @@ void Shading::shade(const EmbreeScene& scene, const Vector3d& camera_object, con
     const double distance = (camera_object - hits.point_object[k]).norm();
     starts.point_object[k] += kShadowOffset * distance * normals[k];
   }
-  for (const PointLight& light : lights_) add_light(light, scene, starts, normals, sums);
+  for (const Light& light : lights_) add_light(light, scene, starts, normals, sums);
   for (std::size_t k = 0; k < 16; ++k)
     if (hits.primitive[k] >= 0) colors[k] = to_8_bit(sums[k]);
 }
 
-void Shading::add_light(const PointLight& light, const EmbreeScene& scene, const PacketHits& hits,
+void Shading::add_light(const Light& light, const EmbreeScene& scene, const PacketHits& hits,
                         const std::array<Vector3d, 16>& normals,
                         std::array<Vector3d, 16>& sums) const {
   alignas(64) std::array<int, 16> valid{};

@@ -46,13 +46,13 @@ class Shading {
     Eigen::Vector3d diffuse;
   };
 
-  void add_light(const PointLight& light, const EmbreeScene& scene, const PacketHits& hits,
+  void add_light(const Light& light, const EmbreeScene& scene, const PacketHits& hits,
                  const std::array<Eigen::Vector3d, 16>& normals,
                  std::array<Eigen::Vector3d, 16>& sums) const;
   Eigen::Vector3d normal_at(const PacketHits& hits, std::size_t lane) const;
 
   std::vector<Primitive> shapes_;  // empty where no light needs them
-  std::vector<PointLight> lights_;
+  std::vector<Light> lights_;
   std::vector<Material> materials_;             // by primitive
   std::vector<Rgb> ambient_;                    // by primitive
   std::vector<Eigen::Vector3d> plate_normals_;  // by primitive; of polygons

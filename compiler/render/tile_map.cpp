@@ -43,6 +43,7 @@ int ceil_within(double value, int low, int high) {
 void TileMap::classify(const SceneOutline& outline, const Camera& camera) {
   width_px_ = camera.intrinsics.width_px;
   height_px_ = camera.intrinsics.height_px;
+  orthogonal_ = camera.intrinsics.projection == Projection::kOrthogonal;
   columns_ = tiles_in(width_px_);
   rows_ = tiles_in(height_px_);
   first_column_ = columns_;
@@ -74,7 +75,7 @@ void TileMap::project(const SceneOutline& outline, const Camera& camera) {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Eigen::Vector3d point_camera =
         camera.camera_from_object * (outline.points[k] - camera.position_object);
-    const double z = std::max(point_camera.z(), kNearest);
+    const double z = orthogonal_ ? 1 : std::max(point_camera.z(), kNearest);
     points_[k] = {in.cx_px + in.fx_px * point_camera.x() / z,
                   in.cy_px + in.fy_px * point_camera.y() / z, point_camera.z()};
   }
@@ -90,6 +91,7 @@ TileMap::Body TileMap::body_of(const SceneOutline::Frame& frame, const Camera& c
   }
   Body body;
   body.visible = greatest_depth > kNearest;
+  if (orthogonal_) return body;
   body.everywhere = least_depth <= kNearest;
   body.nearest = body.everywhere ? kInfinity : 1 / least_depth;
   if (!frame.flat || body.everywhere) return body;

@@ -77,6 +77,7 @@ class TileMap {
   void contest_row(int row, const Span& touched, std::int32_t primitive);
 
   int width_px_ = 0, height_px_ = 0;
+  bool orthogonal_ = false;  // then no plane is `flat`: 1 / depth is no linear function there
   int columns_ = 0, rows_ = 0;
   int first_column_ = 0, end_column_ = 0, first_row_ = 0, end_row_ = 0;  // tiles that are touched
   std::vector<Point> points_;

@@ -20,20 +20,27 @@ int row(int lane) {
 
 TileTracer::TileTracer(const EmbreeScene& scene, const Shading& shading, const Rgb& background,
                        const Camera& camera)
-    : scene_(scene), shading_(shading), background_(background), camera_(camera) {
+    : scene_(scene),
+      shading_(shading),
+      background_(background),
+      camera_(camera),
+      orthogonal_(camera.intrinsics.projection == Projection::kOrthogonal) {
   const Intrinsics& in = camera.intrinsics;
   right_object_ = camera.camera_from_object.row(0).transpose() / in.fx_px;
   down_object_ = camera.camera_from_object.row(1).transpose() / in.fy_px;
-  first_object_ = camera.camera_from_object.row(2).transpose() - in.cx_px * right_object_ -
-                  in.cy_px * down_object_;
+  const Eigen::Vector3d forward_object = camera.camera_from_object.row(2).transpose();
+  const Eigen::Vector3d centre_object = orthogonal_ ? camera.position_object : forward_object;
+  first_object_ = centre_object - in.cx_px * right_object_ - in.cy_px * down_object_;
   for (int lane = 0; lane < kLanes; ++lane) {
     const auto k = static_cast<std::size_t>(lane);
     const Eigen::Vector3d offset = column(lane) * right_object_ + row(lane) * down_object_;
     for (std::size_t axis = 0; axis < 3; ++axis)
       offsets_[axis][k] = static_cast<float>(offset[static_cast<Eigen::Index>(axis)]);
-    packet_.ray.org_x[k] = static_cast<float>(camera.position_object.x());
-    packet_.ray.org_y[k] = static_cast<float>(camera.position_object.y());
-    packet_.ray.org_z[k] = static_cast<float>(camera.position_object.z());
+    const Eigen::Vector3d& fixed = orthogonal_ ? forward_object : camera.position_object;
+    auto& ray = packet_.ray;
+    (orthogonal_ ? ray.dir_x : ray.org_x)[k] = static_cast<float>(fixed.x());
+    (orthogonal_ ? ray.dir_y : ray.org_y)[k] = static_cast<float>(fixed.y());
+    (orthogonal_ ? ray.dir_z : ray.org_z)[k] = static_cast<float>(fixed.z());
     packet_.ray.mask[k] = ~0u;
   }
 }
@@ -41,10 +48,13 @@ TileTracer::TileTracer(const EmbreeScene& scene, const Shading& shading, const R
 void TileTracer::aim(const Box& tile) {
   const Eigen::Vector3f corner =
       (first_object_ + tile.x * right_object_ + tile.y * down_object_).cast<float>();
+  float* x = orthogonal_ ? packet_.ray.org_x : packet_.ray.dir_x;
+  float* y = orthogonal_ ? packet_.ray.org_y : packet_.ray.dir_y;
+  float* z = orthogonal_ ? packet_.ray.org_z : packet_.ray.dir_z;
   for (std::size_t k = 0; k < kLanes; ++k) {
-    packet_.ray.dir_x[k] = corner[0] + offsets_[0][k];
-    packet_.ray.dir_y[k] = corner[1] + offsets_[1][k];
-    packet_.ray.dir_z[k] = corner[2] + offsets_[2][k];
+    x[k] = corner[0] + offsets_[0][k];
+    y[k] = corner[1] + offsets_[1][k];
+    z[k] = corner[2] + offsets_[2][k];
     packet_.ray.tfar[k] = std::numeric_limits<float>::infinity();
     packet_.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
   }

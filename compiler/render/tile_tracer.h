@@ -24,10 +24,11 @@ class TileTracer {
   const Shading& shading_;
   const Rgb background_;
   const Camera& camera_;
+  bool orthogonal_;
   Eigen::Vector3d right_object_, down_object_;  // from one pixel to the next at depth 1
-  Eigen::Vector3d first_object_;                // from the camera to pixel (0, 0) at depth 1
+  Eigen::Vector3d first_object_;                // from the camera to pixel (0, 0), likewise
   RTCRayHit16 packet_{};
-  std::array<std::array<float, 16>, 3> offsets_;  // of a lane's direction from its tile's
+  std::array<std::array<float, 16>, 3> offsets_;  // of a lane from its tile
 };
 
 }  // namespace aspect

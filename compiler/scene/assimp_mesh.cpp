@@ -120,7 +120,7 @@ class AssimpReader {
       add_vertex(mesh_, placed * Vector3d(static_cast<double>(v.x), static_cast<double>(v.y),
                                           static_cast<double>(v.z)));
     }
-    const Texture* texture =
+    const MeshTexture* texture =
         source.HasTextureCoords(material.uv_channel) ? texture_of(material) : nullptr;
     coloured_ = coloured_ || material.coloured || texture != nullptr || source.HasVertexColors(0);
     for (unsigned k = 0; k < source.mNumFaces; ++k) {
@@ -152,7 +152,7 @@ class AssimpReader {
   }
 
   void add_textured_face(const aiMesh& source, const aiFace& face, std::uint32_t first,
-                         const Material& material, const Texture& texture, std::uint32_t part) {
+                         const Material& material, const MeshTexture& texture, std::uint32_t part) {
     std::vector<Vector3d> polygon;
     for (unsigned c = 0; c < face.mNumIndices; ++c) {
       polygon.push_back(mesh_.vertices[first + face.mIndices[c]]);
@@ -187,7 +187,7 @@ class AssimpReader {
   }
 
   // Null where the material has none, or one that cannot be read: a warning.
-  const Texture* texture_of(const Material& material) {
+  const MeshTexture* texture_of(const Material& material) {
     if (material.texture.empty()) return nullptr;
     const auto [place, added] = textures_.try_emplace(material.texture);
     if (added) {
@@ -221,8 +221,8 @@ class AssimpReader {
   bool is_3ds_ = false, is_gltf_ = false, coloured_ = false;
   const aiScene* scene_ = nullptr;
   std::vector<Material> materials_;
-  std::map<std::string, std::optional<Texture>> textures_;
-  std::map<const Texture*, std::vector<TexturedTriangle>> textured_;
+  std::map<std::string, std::optional<MeshTexture>> textures_;
+  std::map<const MeshTexture*, std::vector<TexturedTriangle>> textured_;
   ColouredMesh mesh_;
 };
 

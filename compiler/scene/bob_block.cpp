@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "runtime/base/nearest_word.h"
@@ -41,13 +42,20 @@ void BobBlock::vector(std::string_view name, Eigen::Vector3d& value) {
   field(name, [this, &value](const BobWord&) { value = numbers_.vector(); });
 }
 
+Eigen::Vector3d read_color(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
+                           const BobWord& name) {
+  const Eigen::Vector3d color = numbers.vector();
+  if (color.minCoeff() < 0 || color.maxCoeff() > 1) {
+    warnings.add(words, name,
+                 fmt::format("{} {:g} {:g} {:g} is out of 0..1; write parts of 1", name.text,
+                             color.x(), color.y(), color.z()));
+  }
+  return color;
+}
+
 void BobBlock::color(std::string_view name, Eigen::Vector3d& value) {
   field(name, [this, &value](const BobWord& word) {
-    value = numbers_.vector();
-    if (value.minCoeff() >= 0 && value.maxCoeff() <= 1) return;
-    warnings_.add(words_, word,
-                  fmt::format("{} {:g} {:g} {:g} is out of 0..1; write parts of 1", word.text,
-                              value.x(), value.y(), value.z()));
+    value = read_color(words_, numbers_, warnings_, word);
   });
 }
 
@@ -55,25 +63,43 @@ void BobBlock::flag(std::string_view name, bool& value) {
   field(name, [&value](const BobWord&) { value = true; });
 }
 
-void BobBlock::only_zero_number(std::string_view name) {
-  field(name, [this](const BobWord& word) {
-    if (numbers_.number() == 0) return;
-    words_.fail(word, fmt::format("{} is not supported yet; leave it out or write 0", word.text));
+void BobBlock::number_within(std::string_view name, double& value, double least, double most) {
+  field(name, [this, &value, least, most](const BobWord& word) {
+    value = numbers_.number();
+    if (value >= least && value <= most) return;
+    words_.fail(word, fmt::format("{} {:g}; write a number within {:g} .. {:g}", word.text, value,
+                                  least, most));
   });
 }
 
-void BobBlock::only_black(std::string_view name) {
-  field(name, [this](const BobWord& word) {
-    if (numbers_.vector().isZero(0)) return;
-    words_.fail(word,
-                fmt::format("{} is not supported yet; leave it out or write 0 0 0", word.text));
+void BobBlock::whole_number(std::string_view name, int& value, int least, int most) {
+  field(name, [this, &value, least, most](const BobWord& word) {
+    const double number = numbers_.number();
+    if (number != std::floor(number) || number < least || number > most) {
+      words_.fail(word, fmt::format("{} {:g}; write a whole number within {} .. {}", word.text,
+                                    number, least, most));
+    }
+    value = static_cast<int>(number);
   });
 }
 
-void BobBlock::unsupported(std::string_view name, std::string_view instead) {
-  field(name, [this, instead](const BobWord& word) {
-    words_.fail(word, fmt::format("{} of {} is not supported yet; {}", word.text, statement_.text,
-                                  instead));
+void BobBlock::word(std::string_view name, std::size_t& index,
+                    std::span<const std::string_view> known) {
+  field(name, [this, &index, known](const BobWord& field) {
+    const BobWord word = words_.take();
+    const auto found = std::find(known.begin(), known.end(), word.text);
+    if (found == known.end()) {
+      words_.fail(word, fmt::format("unknown word {} behind {}; the nearest known one is '{}'",
+                                    quoted(word), field.text, nearest_word(word.text, known)));
+    }
+    index = static_cast<std::size_t>(found - known.begin());
+  });
+}
+
+void BobBlock::without_effect(std::string_view name, Read read) {
+  field(name, [this, read = std::move(read)](const BobWord& word) {
+    read(word);
+    warnings_.add(words_, word, fmt::format("{} has no effect; leave it out", word.text));
   });
 }
 

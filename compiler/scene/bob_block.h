@@ -29,6 +29,10 @@ class BobWarnings {
   std::vector<std::string>& lines_;
 };
 
+// Three numbers; warns where one is out of 0..1. `name` is the word in front of them.
+Eigen::Vector3d read_color(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
+                           const BobWord& name);
+
 // Declares the fields of one statement, then reads them. Throws BobError at an unknown field, one
 // given twice, one that is missing, and at whatever a field's own reader finds.
 class BobBlock {
@@ -47,10 +51,13 @@ class BobBlock {
   void color(std::string_view name, Eigen::Vector3d& value);
   void flag(std::string_view name, bool& value);
 
-  // Fields whose only supported value is the default: anything else is an error.
-  void only_zero_number(std::string_view name);
-  void only_black(std::string_view name);
-  void unsupported(std::string_view name, std::string_view instead);
+  // Checks its range, both ends included.
+  void number_within(std::string_view name, double& value, double least, double most);
+  void whole_number(std::string_view name, int& value, int least, int most);
+  // One of the words that `known` holds; gives its index.
+  void word(std::string_view name, std::size_t& index, std::span<const std::string_view> known);
+  // Accepted with a warning; `read` takes what follows the name.
+  void without_effect(std::string_view name, Read read);
 
   // Takes everything from { to }.
   void read();

@@ -89,12 +89,8 @@ void BobPreprocessor::include(const BobWord& directive_word) {
   if (++includes_ > kMaxIncludes) {
     fail(directive_word, fmt::format("more than {} includes; join the files", kMaxIncludes));
   }
+  const std::filesystem::path path = path_named(*name, directive_word);
   std::error_code code;
-  std::filesystem::path path = sources_.path(directive_word.place.file).parent_path() / *name;
-  for (const auto& folder : include_path_) {
-    if (std::filesystem::exists(path, code)) break;
-    if (std::filesystem::exists(folder / *name, code)) path = folder / *name;
-  }
   const std::filesystem::path real_path = std::filesystem::weakly_canonical(path, code);
   for (const OpenFile& open_file : files_) {
     if (code || open_file.real_path != real_path) continue;

@@ -82,6 +82,11 @@ std::size_t BobLexer::word_length() const {
     while (is_letter(at(length)) || is_digit(at(length))) ++length;
     return length;
   }
+  if (first == '"') {
+    while (position_ + length < text_.size() && at(length) != '\n')
+      if (at(length++) == '"') return length;
+    return 1;
+  }
   if (!is_digit(first) && first != '.') return 1;
   // As in C, letters stick to a number, so that 1.5cm is one wrong word and not two.
   while (is_letter(at(length)) || is_digit(at(length)) || at(length) == '.' ||
@@ -111,6 +116,7 @@ RawWord BobLexer::next() {
               : is_digit(at(0)) || at(0) == '.' ? RawWord::Kind::kNumber
                                                 : RawWord::Kind::kSymbol;
   word.text = text_.substr(position_, word_length());
+  if (word.text.size() > 1 && word.text.front() == '"') word.kind = RawWord::Kind::kQuoted;
   position_ += word.text.size();
   word.space_after = space_follows();
   starts_line_ = false;

@@ -8,9 +8,10 @@
 
 namespace aspect {
 
-// A piece of text between white space: a name, a number without its sign, or one other character.
+// A piece of text between white space: a name, a number without its sign, a text with its quotes,
+// or one other character (a quote that is not closed on its line, too).
 struct RawWord {
-  enum class Kind { kName, kNumber, kSymbol, kEndOfLine, kEndOfText };
+  enum class Kind { kName, kNumber, kQuoted, kSymbol, kEndOfLine, kEndOfText };
 
   Kind kind = Kind::kEndOfText;
   std::string_view text;

@@ -17,12 +17,13 @@ BobParser::BobParser(BobWords& words)
       numbers_(words),
       transforms_(words, numbers_),
       shapes_(words, numbers_, warnings_, transforms_),
-      studio_reader_(words, numbers_, warnings_) {}
+      studio_reader_(words, numbers_, warnings_, transforms_),
+      surface_reader_(words, numbers_, warnings_, transforms_) {}
 
 Scene BobParser::parse() {
   while (words_.peek().kind != BobWord::Kind::kEnd) statement(words_.take());
   transforms_.finish();
-  for (PointLight& light : scene_.lights) light.casts_shadows = light.casts_shadows && shadows_;
+  for (Light& light : scene_.lights) light.casts_shadows = light.casts_shadows && shadows_;
   warn_where_it_leaves_the_picture();
   scene_.source = words_.source();
   return std::move(scene_);
@@ -35,14 +36,11 @@ void BobParser::statement(const BobWord& word) {
   if (word.text == "studio") return studio(word);
   if (word.text == "light") return light(word);
   if (word.text != "surface") unknown_statement(word);
-  surface_ = studio_reader_.surface(word);
+  surface_ = surface_reader_.read(word);
   surface_is_listed_ = false;
 }
 
 void BobParser::unknown_statement(const BobWord& word) const {
-  if (word.text == "patch") {
-    words_.fail(word, "patch is not supported yet; write polygon");
-  }
   if (word.text == "}") words_.fail(word, "'}' closes nothing; remove it");
   std::vector<std::string_view> known(statement_names().begin(), statement_names().end());
   const auto macros = words_.macro_names();
@@ -53,8 +51,9 @@ void BobParser::unknown_statement(const BobWord& word) const {
 
 void BobParser::studio(const BobWord& word) {
   if (studio_word_) {
-    words_.fail(word, fmt::format("a second studio, the first is at {}; write one",
-                                  words_.locate(*studio_word_)));
+    warnings_.add(words_, word,
+                  fmt::format("a second studio, the one at {} no longer holds; write one",
+                              words_.locate(*studio_word_)));
   }
   if (!transforms_.empty()) {
     words_.fail(word, "studio inside a transform; write it before the transform");
@@ -69,9 +68,7 @@ void BobParser::light(const BobWord& word) {
   if (scene_.lights.size() == kMaxLights) {
     words_.fail(word, fmt::format("more than {} lights; write fewer", kMaxLights));
   }
-  PointLight light = studio_reader_.light(word);
-  light.position = transforms_.scene_from_written() * light.position;
-  scene_.lights.push_back(light);
+  scene_.lights.push_back(studio_reader_.light(word));
 }
 
 void BobParser::primitive(const BobWord& word, BobShapes::Shape shape) {

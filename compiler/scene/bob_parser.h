@@ -8,6 +8,7 @@
 #include "compiler/scene/bob_numbers.h"
 #include "compiler/scene/bob_shapes.h"
 #include "compiler/scene/bob_studio.h"
+#include "compiler/scene/bob_surface.h"
 #include "compiler/scene/bob_transforms.h"
 #include "compiler/scene/bob_words.h"
 #include "compiler/scene/scene.h"
@@ -41,6 +42,7 @@ class BobParser {
   BobTransforms transforms_;
   BobShapes shapes_;
   BobStudioReader studio_reader_;
+  BobSurfaceReader surface_reader_;
   Surface surface_;  // of the primitives that follow
   bool surface_is_listed_ = false;
   bool shadows_ = true;

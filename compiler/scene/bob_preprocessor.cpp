@@ -11,6 +11,7 @@ namespace {
 
 // Far above any real scene: each bounds time or memory that a hostile file could ask for.
 constexpr std::size_t kMaxWordLength = 128;
+constexpr std::size_t kMaxQuotedLength = 4096;
 
 }  // namespace
 
@@ -115,9 +116,11 @@ bool BobPreprocessor::next_of_file(BobWord& word) {
 
 BobWord BobPreprocessor::checked(const RawWord& raw) const {
   const Place place = place_of(raw);
-  if (raw.text.size() > kMaxWordLength) {
+  const bool is_quoted = raw.kind == RawWord::Kind::kQuoted;
+  const std::size_t longest = is_quoted ? kMaxQuotedLength : kMaxWordLength;
+  if (raw.text.size() > longest) {
     sources_.fail(place, fmt::format("a word of {} characters; a word has at most {}",
-                                     raw.text.size(), kMaxWordLength));
+                                     raw.text.size(), longest));
   }
   BobWord word;
   word.text = raw.text;
@@ -128,17 +131,31 @@ BobWord BobPreprocessor::checked(const RawWord& raw) const {
     word.kind = BobWord::Kind::kName;
   } else if (raw.kind == RawWord::Kind::kNumber) {
     word.kind = BobWord::Kind::kNumber;
+  } else if (is_quoted) {
+    word.kind = BobWord::Kind::kQuoted;
   } else {
     const auto byte = static_cast<unsigned char>(raw.text.front());
     if (byte <= 0x20 || byte >= 0x7f) {
       sources_.fail(place, fmt::format("byte 0x{:02x} outside a comment; write ASCII text", byte));
     }
+    if (byte == '"') sources_.fail(place, "a quote that is not closed; write \"name\"");
     if (std::string_view("{}()+-*/").find(raw.text.front()) == std::string_view::npos) {
       sources_.fail(place, fmt::format("'{}' means nothing here; remove it", raw.text));
     }
     word.kind = BobWord::Kind::kSymbol;
   }
   return word;
+}
+
+std::filesystem::path BobPreprocessor::path_named(std::string_view name,
+                                                  const BobWord& word) const {
+  const Place& written = word.macro.empty() ? word.place : word.macro_place;
+  std::filesystem::path path = sources_.path(written.file).parent_path() / name;
+  std::error_code code;
+  if (std::filesystem::exists(path, code)) return path;
+  for (const auto& folder : include_path_)
+    if (std::filesystem::exists(folder / name, code)) return folder / name;
+  return path;
 }
 
 std::vector<std::string_view> BobPreprocessor::macro_names() const {

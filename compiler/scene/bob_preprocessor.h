@@ -16,7 +16,7 @@
 namespace aspect {
 
 struct BobWord {
-  enum class Kind { kName, kNumber, kSymbol, kEnd };
+  enum class Kind { kName, kNumber, kQuoted, kSymbol, kEnd };
 
   Kind kind = Kind::kEnd;
   std::string_view text;
@@ -42,6 +42,9 @@ class BobPreprocessor {
   BobWord next();
 
   std::vector<std::string_view> macro_names() const;
+
+  // Where a file named in this word's file is: beside that file or on the include path.
+  std::filesystem::path path_named(std::string_view name, const BobWord& word) const;
 
   // Ends the reading with an error about this word.
   [[noreturn]] void fail(const BobWord& word, std::string_view message) const;

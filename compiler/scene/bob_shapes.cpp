@@ -49,6 +49,7 @@ bool has_area(const PolygonMeasure& measure) {
 
 std::optional<BobShapes::Shape> BobShapes::read(const BobWord& statement) {
   if (statement.text == "polygon") return read_polygon(statement);
+  if (statement.text == "patch") return read_patch(statement);
   if (statement.text == "sphere") return read_sphere(statement);
   if (statement.text == "ring") return read_ring(statement);
   if (statement.text == "cone" || statement.text == "cylinder") return read_cone(statement);
@@ -95,6 +96,44 @@ Polygon BobShapes::read_polygon(const BobWord& statement) {
   }
   points_ += count;
   return polygon;
+}
+
+SmoothTriangle BobShapes::read_patch(const BobWord& statement) {
+  SmoothTriangle patch;
+  std::size_t vertices = 0, normals = 0;
+  BobBlock fields = block(statement);
+  fields.repeated("vertex", [&](const BobWord& word) {
+    if (vertices == 3) words_.fail(word, "a fourth vertex; a patch has three");
+    patch.vertices[vertices++] = numbers_.vector();
+  });
+  fields.repeated("normal", [&](const BobWord& word) {
+    if (normals == vertices) words_.fail(word, "a normal without its vertex; write vertex first");
+    patch.normals[normals++] = numbers_.vector();
+    if (patch.normals[normals - 1].norm() >= kLeastLength) return;
+    words_.fail(word, "the normal has no length; write a direction such as 0 0 1");
+  });
+  fields.read();
+  if (vertices != 3 || normals != 3) {
+    words_.fail(statement, fmt::format("{} vertices and {} normals in patch; write three times "
+                                       "vertex x y z normal x y z",
+                                       vertices, normals));
+  }
+  const Eigen::Affine3d& scene_from_written = transforms_.scene_from_written();
+  const Eigen::Matrix3d normals_from_written = scene_from_written.linear().inverse().transpose();
+  for (Eigen::Vector3d& vertex : patch.vertices) vertex = placed(vertex, statement);
+  for (Eigen::Vector3d& normal : patch.normals)
+    normal = (normals_from_written * normal.normalized()).normalized();
+  check_patch(patch, statement);
+  return patch;
+}
+
+void BobShapes::check_patch(const SmoothTriangle& patch, const BobWord& statement) const {
+  const PolygonMeasure measure = measured({{patch.vertices.begin(), patch.vertices.end()}});
+  if (!has_area(measure)) {
+    words_.fail(statement, "the patch has no area; give three vertices that are not on one line");
+  }
+  for (const Eigen::Vector3d& normal : patch.normals)
+    if (!normal.allFinite()) words_.fail(statement, "the transforms spoil a normal; scale less");
 }
 
 void BobShapes::check_polygon(const Polygon& polygon, const BobWord& statement) const {

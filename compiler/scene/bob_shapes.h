@@ -1,4 +1,4 @@
-// The statements that are primitives: polygon, sphere, ring, cone and cylinder.
+// The statements that are primitives: polygon, patch, sphere, ring, cone and cylinder.
 #pragma once
 
 #include <cstddef>
@@ -29,11 +29,13 @@ class BobShapes {
 
  private:
   Polygon read_polygon(const BobWord& statement);
+  SmoothTriangle read_patch(const BobWord& statement);
   Sphere read_sphere(const BobWord& statement);
   Ring read_ring(const BobWord& statement);
   Cone read_cone(const BobWord& statement);
 
   std::size_t read_point_count(const BobWord& word);
+  void check_patch(const SmoothTriangle& patch, const BobWord& statement) const;
   void check_polygon(const Polygon& polygon, const BobWord& statement) const;
   void check_radius(double radius, std::string_view name, const BobWord& statement) const;
   BobBlock block(const BobWord& statement) { return {words_, numbers_, warnings_, statement}; }

@@ -52,7 +52,7 @@ Result<std::string> load_text(const std::filesystem::path& path, std::size_t max
   const std::filesystem::file_status status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) return Error{"no such file; check the path"};
   if (!std::filesystem::is_regular_file(status)) {
-    return Error{"not a regular file; give a text file"};
+    return Error{"not a regular file; give a plain one"};
   }
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   if (code) return Error{"its size cannot be read; check its permissions"};

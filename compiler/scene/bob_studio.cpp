@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/scene/picture_fit.h"
 #include "runtime/base/nearest_word.h"
 
 namespace aspect {
@@ -14,28 +15,14 @@ namespace {
 // A picture of this many pixels a side still fits in memory once a thread.
 constexpr double kMaxResolution = 4096;
 constexpr double kMaxAspect = 100;
+constexpr int kMaxSamples = 4096;
+constexpr int kMaxDepth = 100;
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 
 constexpr std::array<std::string_view, 4> kAntialias = {"none", "quick", "corners", "adaptive"};
 constexpr std::array<std::string_view, 3> kProjections = {"perspective", "orthogonal", "flat"};
-constexpr std::array<std::string_view, 3> kLightTypes = {"point", "directional", "spherical"};
 
 }  // namespace
-
-void BobStudioReader::only_word(const BobWord& field, std::string_view supported,
-                                std::span<const std::string_view> known) {
-  const BobWord word = words_.take();
-  if (word.text == supported) return;
-  if (std::find(known.begin(), known.end(), word.text) != known.end()) {
-    words_.fail(word, fmt::format("{0} {1} is not supported yet; write {0} {2}", field.text,
-                                  word.text, supported));
-  }
-  words_.fail(word, fmt::format("unknown word {} behind {}; the nearest known one is '{}'",
-                                quoted(word), field.text, nearest_word(word.text, known)));
-}
-
-void BobStudioReader::warn_without_effect(const BobWord& word) {
-  warnings_.add(words_, word, fmt::format("{} has no effect; leave it out", word.text));
-}
 
 void BobStudioReader::read_resolution(const BobWord& word, Studio& studio) {
   const double width = numbers_.component();
@@ -49,25 +36,43 @@ void BobStudioReader::read_resolution(const BobWord& word, Studio& studio) {
   studio.height_px = static_cast<int>(height);
 }
 
-// What only matters together with something that is refused anyway.
-void BobStudioReader::add_fields_without_effect(BobBlock& fields) {
-  for (const std::string_view name : {"threshold", "samples", "depth", "focal_length"}) {
-    fields.field(name, [this](const BobWord&) { numbers_.number(); });
+// Both parallel projections show a picture of a given width: `flat W` names it, `orthogonal` may;
+// otherwise it is what `angle` shows at the compile distance.
+void BobStudioReader::read_projection(Studio& studio) {
+  const BobWord word = words_.take();
+  if (std::find(kProjections.begin(), kProjections.end(), word.text) == kProjections.end()) {
+    words_.fail(word, fmt::format("unknown word {} behind project; the nearest known one is '{}'",
+                                  quoted(word), nearest_word(word.text, kProjections)));
   }
-  for (const std::string_view name : {"jitter", "no_exp_trans", "caustics"}) {
-    fields.field(name, [](const BobWord&) {});
-  }
+  if (word.text == "perspective") return;
+  studio.projection = Projection::kOrthogonal;
+  const BobWord& next = words_.peek();
+  const bool number_follows =
+      next.kind == BobWord::Kind::kNumber || next.text == "(" || is_operator(next);
+  if (word.text == "orthogonal" && !number_follows) return;
+  studio.width = numbers_.number();
+  if (studio.width > 0) return;
+  words_.fail(word, fmt::format("project {} {:g}; write the picture's width, more than 0",
+                                word.text, studio.width));
+}
+
+void BobStudioReader::add_optics(BobBlock& fields, Studio& studio) {
+  fields.number_within("threshold", studio.threshold, 0, 255);
+  fields.whole_number("samples", studio.samples, 1, kMaxSamples);
+  fields.flag("jitter", studio.jitter);
+  fields.whole_number("depth", studio.depth, 0, kMaxDepth);
+  fields.number_within("haze", studio.haze, 0, 1);
+  fields.number_within("aperture", studio.aperture, 0, BobNumbers::kMaxNumber);
+  fields.number_within("focal_length", studio.focal_length, 0, BobNumbers::kMaxNumber);
 }
 
 BobStudio BobStudioReader::studio(const BobWord& statement) {
   BobStudio result;
   Studio& studio = result.studio;
-  bool no_shadows = false;
+  bool no_shadows = false, no_exponential = false;
+  std::size_t antialias = 0;
   BobBlock fields = block(statement);
-  fields.field("from", [this](const BobWord& word) {
-    numbers_.vector();
-    warn_without_effect(word);
-  });
+  fields.without_effect("from", [this](const BobWord&) { numbers_.vector(); });
   fields.vector("at", studio.at);
   fields.vector("up", studio.up);
   fields.number("angle", studio.angle_deg);
@@ -75,15 +80,23 @@ BobStudio BobStudioReader::studio(const BobWord& statement) {
   fields.number("aspect", studio.aspect);
   fields.color("ambient", studio.ambient);
   fields.color("background", studio.background);
-  fields.field("antialias", [this](const BobWord& word) { only_word(word, "none", kAntialias); });
-  fields.field("project",
-               [this](const BobWord& word) { only_word(word, "perspective", kProjections); });
+  fields.word("antialias", antialias, kAntialias);
+  fields.field("project", [&](const BobWord&) { read_projection(studio); });
   fields.flag("no_shadows", no_shadows);
-  fields.only_zero_number("haze");
-  fields.only_zero_number("aperture");
-  add_fields_without_effect(fields);
+  fields.flag("no_exp_trans", no_exponential);
+  // Light gathered behind glass: shadows here have no brighter middle.
+  fields.without_effect("caustics", [](const BobWord&) {});
+  add_optics(fields, studio);
   fields.read();
   result.shadows = !no_shadows;
+  studio.antialias = static_cast<Antialias>(antialias);
+  studio.exponential_transparency = !no_exponential;
+  check_view(fields, studio, statement);
+  return result;
+}
+
+void BobStudioReader::check_view(const BobBlock& fields, Studio& studio,
+                                 const BobWord& statement) const {
   if (studio.up.norm() < 1e-9) {
     words_.fail(statement, "up has no length; write a direction such as 0 0 1");
   }
@@ -98,51 +111,8 @@ BobStudio BobStudioReader::studio(const BobWord& statement) {
                                        "{:g}",
                                        studio.aspect, 1 / kMaxAspect, kMaxAspect));
   }
-  return result;
-}
-
-PointLight BobStudioReader::light(const BobWord& statement) {
-  PointLight light;
-  bool no_shadows = false;
-  BobBlock fields = block(statement);
-  fields.field("type", [this](const BobWord& word) { only_word(word, "point", kLightTypes); });
-  fields.vector("position", light.position);
-  fields.vector("center", light.position);
-  fields.color("color", light.color);
-  fields.only_zero_number("falloff");
-  fields.flag("no_shadows", no_shadows);
-  for (const std::string_view name :
-       {"direction", "radius", "samples", "at", "min_angle", "max_angle"}) {
-    fields.unsupported(name, "write type point with a position");
-  }
-  fields.read();
-  if (fields.has("position") && fields.has("center")) {
-    words_.fail(statement, "position and center are the same; write one of them");
-  }
-  if (!fields.has("center")) fields.require("position", "position x y z");
-  light.casts_shadows = !no_shadows;
-  return light;
-}
-
-Surface BobStudioReader::surface(const BobWord& statement) {
-  Surface surface;
-  BobBlock fields = block(statement);
-  fields.color("diffuse", surface.diffuse);
-  fields.color("ambient", surface.ambient);
-  fields.only_black("specular");
-  fields.only_black("transparent");
-  fields.only_zero_number("fuzz");
-  fields.field("ior", [this](const BobWord& word) {
-    numbers_.number();
-    warn_without_effect(word);
-  });
-  fields.field("no_antialias", [this](const BobWord& word) { warn_without_effect(word); });
-  for (const std::string_view name : {"shine", "no_shadow", "texture"}) {
-    fields.unsupported(name, "write diffuse and ambient alone");
-  }
-  fields.read();
-  if (!fields.has("ambient")) surface.ambient = surface.diffuse;
-  return surface;
+  if (studio.width == 0)
+    studio.width = 2 * kCompileDistance * std::tan(studio.angle_deg / 2 * kRadiansPerDegree);
 }
 
 }  // namespace aspect

@@ -1,8 +1,9 @@
-// The statements around the object: studio, light and surface.
+// The statements around the object: studio and light.
 #pragma once
 
 #include "compiler/scene/bob_block.h"
 #include "compiler/scene/bob_numbers.h"
+#include "compiler/scene/bob_transforms.h"
 #include "compiler/scene/bob_words.h"
 #include "compiler/scene/scene.h"
 
@@ -16,25 +17,27 @@ struct BobStudio {
 // Each reads its statement's braces. Throws BobError.
 class BobStudioReader {
  public:
-  BobStudioReader(BobWords& words, BobNumbers& numbers, BobWarnings& warnings)
-      : words_(words), numbers_(numbers), warnings_(warnings) {}
+  BobStudioReader(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
+                  const BobTransforms& transforms)
+      : words_(words), numbers_(numbers), warnings_(warnings), transforms_(transforms) {}
 
   BobStudio studio(const BobWord& statement);
-  PointLight light(const BobWord& statement);
-  Surface surface(const BobWord& statement);
+  // In scene coordinates.
+  Light light(const BobWord& statement);
 
  private:
   BobBlock block(const BobWord& statement) { return {words_, numbers_, warnings_, statement}; }
-  void add_fields_without_effect(BobBlock& fields);
+  void add_optics(BobBlock& fields, Studio& studio);
   void read_resolution(const BobWord& word, Studio& studio);
-  // The one word behind `field` that is supported, of those the format knows.
-  void only_word(const BobWord& field, std::string_view supported,
-                 std::span<const std::string_view> known);
-  void warn_without_effect(const BobWord& word);
+  void read_projection(Studio& studio);
+  void check_view(const BobBlock& fields, Studio& studio, const BobWord& statement) const;
+  void check_light_type(const BobBlock& fields, const Light& light, const BobWord& statement);
+  void place(Light& light, const BobWord& statement) const;
 
   BobWords& words_;
   BobNumbers& numbers_;
   BobWarnings& warnings_;
+  const BobTransforms& transforms_;
 };
 
 }  // namespace aspect

@@ -22,6 +22,9 @@ class BobTransforms {
 
   bool empty() const { return levels_.empty(); }
 
+  // One of translate, rotate and scale, whose name was just taken.
+  Eigen::Affine3d read_step(const BobWord& word);
+
   // Scene coordinates from the coordinates as written.
   const Eigen::Affine3d& scene_from_written() const;
 
@@ -33,8 +36,6 @@ class BobTransforms {
     Eigen::Affine3d scene_from_written;
     BobWord opened;
   };
-
-  Eigen::Affine3d read_step(const BobWord& word);
 
   BobWords& words_;
   BobNumbers& numbers_;

@@ -32,6 +32,13 @@ class BobWords {
   // neighbours, because `2 -1` and `2 - 1` differ in meaning.
   const std::string& source() const { return source_; }
 
+  // Adds what the words only name: the contents of another file.
+  void add_to_source(std::string_view text) { source_ += text; }
+
+  std::filesystem::path path_named(std::string_view name, const BobWord& word) const {
+    return preprocessor_.path_named(name, word);
+  }
+
   std::vector<std::string_view> macro_names() const { return preprocessor_.macro_names(); }
 
   [[noreturn]] void fail(const BobWord& word, std::string_view message) const {

@@ -29,7 +29,7 @@ class BobWriter {
  public:
   std::string write(const Scene& scene) {
     studio(scene.studio);
-    for (const PointLight& light : scene.lights)
+    for (const Light& light : scene.lights)
       append("light {{ type point position {} color {}{} }}\n", words(light.position),
              words(light.color), light.casts_shadows ? "" : " no_shadows");
     const Surface* last = nullptr;
@@ -82,6 +82,13 @@ class BobWriter {
     ++primitives_;
     append("cone {{ base {} base_radius {:.17g} apex {} apex_radius {:.17g} }}\n", words(cone.base),
            cone.base_radius, words(cone.apex), cone.apex_radius);
+  }
+  void add(const SmoothTriangle& triangle) {
+    ++primitives_;
+    append("patch {{");
+    for (std::size_t k = 0; k < 3; ++k)
+      append(" vertex {} normal {}", words(triangle.vertices[k]), words(triangle.normals[k]));
+    append(" }}\n");
   }
   void add(const Mesh& mesh) {
     for (const auto& [a, b, c] : mesh.triangles)

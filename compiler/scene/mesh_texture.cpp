@@ -23,7 +23,7 @@ struct Seen {
 };
 
 // One sample a texel along the longest edge, at the middles of small triangles.
-std::vector<Vector3d> samples_of(const TexturedTriangle& triangle, const Texture& texture) {
+std::vector<Vector3d> samples_of(const TexturedTriangle& triangle, const MeshTexture& texture) {
   double texels = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector2d edge = triangle.uv[(k + 1) % 3] - triangle.uv[k];
@@ -42,7 +42,7 @@ std::vector<Vector3d> samples_of(const TexturedTriangle& triangle, const Texture
   return samples;
 }
 
-Seen seen_on(const TexturedTriangle& triangle, const Texture& texture) {
+Seen seen_on(const TexturedTriangle& triangle, const MeshTexture& texture) {
   const std::vector<Vector3d> samples = samples_of(triangle, texture);
   Seen seen;
   Vector3d least = samples[0], greatest = samples[0];
@@ -85,7 +85,7 @@ std::array<TexturedTriangle, 4> cut(const TexturedTriangle& whole) {
 
 }  // namespace
 
-Vector3d Texture::at(const Vector2d& uv) const {
+Vector3d MeshTexture::at(const Vector2d& uv) const {
   const auto texel = [](double coordinate, int size) {
     const double within = coordinate - std::floor(coordinate);
     return std::min(static_cast<int>(within * size), size - 1);
@@ -97,7 +97,7 @@ Vector3d Texture::at(const Vector2d& uv) const {
   return Vector3d(pixel[0], pixel[1], pixel[2]) / 255.0;
 }
 
-Texture decode_texture(std::span<const std::uint8_t> file) {
+MeshTexture decode_texture(std::span<const std::uint8_t> file) {
   cv::Mat bgr;
   try {
     if (!file.empty())
@@ -113,7 +113,7 @@ Texture decode_texture(std::span<const std::uint8_t> file) {
 }
 
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,
-                  const Texture& texture, double least_edge) {
+                  const MeshTexture& texture, double least_edge) {
   ColourPalette palette(kAlike);
   for (const TexturedTriangle& whole : triangles) {
     std::vector<TexturedTriangle> open = {whole};

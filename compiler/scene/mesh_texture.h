@@ -11,7 +11,7 @@
 
 namespace aspect {
 
-struct Texture {
+struct MeshTexture {
   int width_px = 0, height_px = 0;
   std::vector<std::uint8_t> rgb;  // row by row, top to bottom
 
@@ -20,7 +20,7 @@ struct Texture {
 };
 
 // Throws MeshError where the bytes are no picture that is read.
-Texture decode_texture(std::span<const std::uint8_t> file);
+MeshTexture decode_texture(std::span<const std::uint8_t> file);
 
 struct TexturedTriangle {
   std::array<Eigen::Vector3d, 3> corners;
@@ -35,6 +35,6 @@ struct TexturedTriangle {
 // an earlier one of the same call become that one. Weak side: borders are jagged by `least_edge`,
 // and detail finer than 1/32 of a uniform-looking triangle is missed.
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,
-                  const Texture& texture, double least_edge);
+                  const MeshTexture& texture, double least_edge);
 
 }  // namespace aspect

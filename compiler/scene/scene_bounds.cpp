@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <variant>
 
 namespace aspect {
@@ -21,6 +22,9 @@ struct Farthest {
 
   double operator()(const Polygon& polygon) const { return farthest_of(polygon.vertices); }
   double operator()(const Mesh& mesh) const { return farthest_of(mesh.vertices); }
+  double operator()(const SmoothTriangle& triangle) const {
+    return farthest_of(triangle.vertices);
+  }
   double operator()(const Sphere& sphere) const {
     return (sphere.center - origin).norm() + sphere.radius;
   }
@@ -33,7 +37,7 @@ struct Farthest {
     return std::max(farthest_of_circle(cone.base, axis, cone.base_radius, origin),
                     farthest_of_circle(cone.apex, axis, cone.apex_radius, origin));
   }
-  double farthest_of(const std::vector<Eigen::Vector3d>& vertices) const {
+  double farthest_of(std::span<const Eigen::Vector3d> vertices) const {
     double farthest = 0;
     for (const Eigen::Vector3d& vertex : vertices)
       farthest = std::max(farthest, (vertex - origin).norm());

@@ -43,6 +43,17 @@ struct Comparison {
       }
     return false;
   }
+  bool alike(const SmoothTriangle& a, const SmoothTriangle& b) const {
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    do {
+      std::size_t k = 0;
+      while (k < 3 && near(a.vertices[k], b.vertices[order[k]]) &&
+             (rotation * a.normals[k] - b.normals[order[k]]).norm() <= kLength)
+        ++k;
+      if (k == 3) return true;
+    } while (std::next_permutation(order.begin(), order.end()));
+    return false;
+  }
   bool alike(const Sphere& a, const Sphere& b) const {
     return near(a.radius, b.radius) && near(a.center, b.center);
   }
@@ -90,8 +101,13 @@ struct Comparison {
     const auto near_colour = [](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
       return (x - y).cwiseAbs().maxCoeff() <= kColour;
     };
+    // A pattern does not turn with the object.
+    if (first.texture != nullptr || other.texture != nullptr)
+      return a == b && rotation.isIdentity(kLength);
     // Without lights only ambient light shows a surface's colour.
     return near_colour(first.ambient, other.ambient) &&
+           near_colour(first.specular, other.specular) &&
+           near_colour(first.transparent, other.transparent) &&
            (scene.lights.empty() || near_colour(first.diffuse, other.diffuse));
   }
 

@@ -36,6 +36,11 @@ struct FirstHit {
     return inside ? depth : kMiss;
   }
 
+  double operator()(const SmoothTriangle& triangle) const {
+    const auto& [a, b, c] = triangle.vertices;
+    return (*this)(Polygon{{a, b, c}});
+  }
+
   double operator()(const Sphere& sphere) const {
     const Vector3d from_center = origin - sphere.center;
     return least_root(direction.squaredNorm(), 2 * direction.dot(from_center),
@@ -98,9 +103,13 @@ ReferenceHit reference_hit(const Scene& scene, const Vector3d& origin, const Vec
 
 ReferenceHit reference_hit(const Scene& scene, const Camera& camera, double x_px, double y_px) {
   const Intrinsics& in = camera.intrinsics;
-  const Vector3d direction_camera((x_px - in.cx_px) / in.fx_px, (y_px - in.cy_px) / in.fy_px, 1);
-  return reference_hit(scene, camera.position_object,
-                       camera.camera_from_object.transpose() * direction_camera);
+  const Eigen::Matrix3d object_from_camera = camera.camera_from_object.transpose();
+  Vector3d across((x_px - in.cx_px) / in.fx_px, (y_px - in.cy_px) / in.fy_px, 0);
+  if (in.projection == Projection::kOrthogonal)
+    return reference_hit(scene, camera.position_object + object_from_camera * across,
+                         object_from_camera.col(2));
+  across.z() = 1;
+  return reference_hit(scene, camera.position_object, object_from_camera * across);
 }
 
 }  // namespace aspect

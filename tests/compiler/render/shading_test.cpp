@@ -47,7 +47,7 @@ void require_lit(const Scene& scene, const Camera& camera, Normal normal_at) {
       const Surface& surface = scene.surfaces[0];
       Vector3d color = scene.studio.ambient.cwiseProduct(surface.ambient);
       bool reached = false;
-      for (const PointLight& light : scene.lights) {
+      for (const Light& light : scene.lights) {
         const double cosine = normal.dot((light.position - point).normalized());
         if (cosine > 0) color += cosine * surface.diffuse.cwiseProduct(light.color);
         reached = reached || cosine > 0;

@@ -151,10 +151,10 @@ TEST_CASE("a condition must close in the file that opens it") {
 TEST_CASE("only regular files are read") {
   const ScratchFolder folder;
   CHECK(error_of_file(folder.path()) ==
-        folder.path().string() + ": not a regular file; give a text file");
+        folder.path().string() + ": not a regular file; give a plain one");
   CHECK(error_of_file(folder.path() / "none.b") ==
         (folder.path() / "none.b").string() + ": no such file; check the path");
-  CHECK(error_of("#include /dev/zero") == "s.b:1: /dev/zero: not a regular file; give a text file");
+  CHECK(error_of("#include /dev/zero") == "s.b:1: /dev/zero: not a regular file; give a plain one");
 }
 
 TEST_CASE("an expansion bomb is an error, also where it leaves no words") {

@@ -18,9 +18,14 @@ constexpr std::string_view kEverything =
     "/* all */ #define COLOR1 0.237 0.105 0.878 // c\n"
     "#define BALL sphere { center 0 -.1 0 \\\n radius R }\n#define R (.1 + sqrt(4) / 100)\n"
     "#ifdef NO\nx\n#else\nstudio { at 0 0 0 up 0 1 0.05 angle 50 resolution 512 512 antialias "
-    "none\n"
+    "adaptive samples 4 jitter depth 3 haze .1 aperture .01 focal_length 1 project flat 1\n"
     " threshold 1 aspect 1 ambient 1 1 1 }\n#endif\n#ifndef R\n#endif\n#undef NO\n"
     "light { type point position 1 -2 +3 color 1 1 1 no_shadows }\n"
+    "light { type spherical center 1 1 1 radius .1 samples 4 falloff 2 at 0 0 0 min_angle 10 "
+    "max_angle 20 }\nlight { type directional direction 0 0 -1 }\n"
+    "surface { specular .5 .5 .5 transparent .2 .2 .2 ior 1.5 shine 10 1 1 1 fuzz .1 no_shadow "
+    "no_antialias texture { checker 1 1 1 0 0 0 scale .1 translate 0 0 1 } }\n"
+    "patch { vertex 0 0 0 normal 0 0 1 vertex .1 0 0 normal 0 0 1 vertex 0 .1 0 normal 0 1 1 }\n"
     "surface { diffuse COLOR1 * .5 ambient (1 0 0) cross (0 1 0) }\n"
     "transform { translate 0 -.1 0 rotate 0 0 90 scale .5 } transform { scale 2 -2 2 }\n"
     "BALL transform_pop\n"
@@ -51,7 +56,7 @@ void check_outcome(std::string_view text) {
 
 TEST_CASE("the scene that the mutations start from is right") {
   const Scene scene = scene_of(kEverything);
-  CHECK(scene.primitives.size() == 5);
+  CHECK(scene.primitives.size() == 6);
   CHECK(scene.warnings.empty());
 }
 
@@ -90,7 +95,9 @@ TEST_CASE("words of a scene in random order end with a scene or one line") {
                          "(",          ")",      "*",       "-",       "cross",     "dot",
                          "ring",       "pow",    "sqrt",    "scale",   "rotate",    "\n",
                          "#define A ", "A",      "surface", "diffuse", "transform", "transform_pop",
-                         "1e-9"};
+                         "1e-9",       "patch",  "normal",  "texture", "checker",   "map",
+                         "\"x.png\"",  "shine",  "light",   "type",    "spherical", "studio",
+                         "project",    "flat",   "samples", "falloff", "at",        "ior"};
   for (int round = 0; round < 4000; ++round) {
     std::string text;
     for (std::size_t count = random() % 40; count > 0; --count) {

@@ -43,11 +43,53 @@ TEST_CASE("the aspect follows from the resolution") {
   CHECK(scene_of("studio { resolution 640 480 }").studio.aspect == Approx(4.0 / 3));
 }
 
-TEST_CASE("studio fields that change nothing here are accepted") {
-  const Scene scene = scene_of(
-      "studio { samples 4 jitter depth 5 no_exp_trans caustics haze 0 aperture 0 focal_length 1 "
-      "project perspective }");
-  CHECK(scene.warnings.empty());
+TEST_CASE("a studio says how a picture is taken") {
+  const Studio studio = scene_of(
+                            "studio { antialias adaptive threshold 3 samples 4 jitter depth 5 "
+                            "no_exp_trans haze .1 aperture .2 focal_length 1.5 }")
+                            .studio;
+  CHECK(studio.antialias == Antialias::kAdaptive);
+  CHECK(studio.threshold == 3);
+  CHECK(studio.samples == 4);
+  CHECK(studio.jitter);
+  CHECK(studio.depth == 5);
+  CHECK_FALSE(studio.exponential_transparency);
+  CHECK(studio.haze == .1);
+  CHECK(studio.aperture == .2);
+  CHECK(studio.focal_length == 1.5);
+  CHECK(scene_of("studio { antialias quick }").studio.antialias == Antialias::kQuick);
+  CHECK(scene_of("studio { antialias corners }").studio.antialias == Antialias::kCorners);
+  const Studio plain = scene_of("studio { antialias none project perspective }").studio;
+  CHECK(plain.antialias == Antialias::kNone);
+  CHECK(plain.projection == Projection::kPerspective);
+  CHECK(plain.depth == 20);
+  CHECK(plain.exponential_transparency);
+}
+
+TEST_CASE("a parallel projection has the width it names, or what the angle shows") {
+  for (const char* text :
+       {"studio { project flat .7 }", "studio { project orthogonal (.5 + .2) }"}) {
+    const Studio studio = scene_of(text).studio;
+    CHECK(studio.projection == Projection::kOrthogonal);
+    CHECK(studio.width == Approx(.7));
+  }
+  const Studio studio = scene_of("studio { project orthogonal angle 90 }").studio;
+  CHECK(studio.projection == Projection::kOrthogonal);
+  CHECK(studio.width == Approx(2));
+}
+
+TEST_CASE("the last studio holds, with a warning") {
+  const Scene scene = scene_of("studio { angle 30 }\nstudio { up 0 1 0 }");
+  CHECK(scene.studio.angle_deg == 45);
+  CHECK(scene.studio.up == Eigen::Vector3d(0, 1, 0));
+  REQUIRE(scene.warnings.size() == 1);
+  CHECK(scene.warnings[0] == "s.b:2: a second studio, the one at s.b:1 no longer holds; write one");
+}
+
+TEST_CASE("caustics are accepted with a warning") {
+  const Scene scene = scene_of("studio { caustics }");
+  REQUIRE(scene.warnings.size() == 1);
+  CHECK(scene.warnings[0] == "s.b:1: caustics has no effect; leave it out");
 }
 
 TEST_CASE("a studio's camera position is accepted with a warning") {
@@ -99,12 +141,82 @@ TEST_CASE("a surface holds for what follows until the next") {
   CHECK(scene.surfaces[2].ambient == Eigen::Vector3d(0, 0, 1));
 }
 
-TEST_CASE("surface fields without effect on flat colours warn or pass") {
+TEST_CASE("lights of every type turn, move and shrink with their transform") {
+  const Scene scene = scene_of(
+      "transform { rotate 0 0 90 translate 1 0 0 scale .5 }"
+      "light { type directional direction 3 0 0 color .1 .2 .3 }"
+      "light { type spherical center 1 0 0 radius .4 samples 9 falloff 2 }"
+      "light { position 1 0 0 at 2 0 0 min_angle 10 max_angle 20 falloff 1 } transform_pop");
+  REQUIRE(scene.lights.size() == 3);
+  const Light& sun = scene.lights[0];
+  CHECK(sun.type == Light::Type::kDirectional);
+  CHECK(sun.direction.isApprox(Eigen::Vector3d(0, 1, 0)));
+  CHECK(sun.color == Eigen::Vector3d(.1, .2, .3));
+  const Light& ball = scene.lights[1];
+  CHECK(ball.type == Light::Type::kSpherical);
+  CHECK(ball.position == Eigen::Vector3d(.5, .5, 0));
+  CHECK(ball.radius == Approx(.2));
+  CHECK(ball.samples == 9);
+  CHECK(ball.falloff == 2);
+  CHECK_FALSE(ball.spot.has_value());
+  const Light& spot = scene.lights[2];
+  CHECK(spot.type == Light::Type::kPoint);
+  CHECK(spot.falloff == 1);
+  REQUIRE(spot.spot.has_value());
+  CHECK(spot.spot->at == Eigen::Vector3d(.5, 1, 0));
+  CHECK(spot.spot->min_angle_deg == 10);
+  CHECK(spot.spot->max_angle_deg == 20);
+}
+
+TEST_CASE("a surface has all its properties, and plain ones where it names none") {
+  const std::string ball = kBall;
+  const Scene scene = scene_of(
+      "surface { diffuse 0 0 0 specular .1 .2 .3 transparent .4 .5 .6 ior 1.5 shine 20 .7 .8 .9 "
+      "fuzz .05 no_antialias no_shadow }" +
+      ball + "surface { }" + ball);
+  const Surface& rich = scene.surfaces.at(0);
+  CHECK(rich.specular == Eigen::Vector3d(.1, .2, .3));
+  CHECK(rich.transparent == Eigen::Vector3d(.4, .5, .6));
+  CHECK(rich.ior == 1.5);
+  CHECK(rich.shine == 20);
+  CHECK(rich.shine_color == Eigen::Vector3d(.7, .8, .9));
+  CHECK(rich.fuzz == .05);
+  CHECK_FALSE(rich.antialias);
+  CHECK_FALSE(rich.casts_shadow);
+  CHECK(rich.texture == nullptr);
+  const Surface& plain = scene.surfaces.at(1);
+  CHECK(plain.specular.isZero(0));
+  CHECK(plain.transparent.isZero(0));
+  CHECK(plain.ior == 1);
+  CHECK(plain.shine == 0);
+  CHECK(plain.antialias);
+  CHECK(plain.casts_shadow);
+  CHECK(scene.warnings.empty());
+}
+
+TEST_CASE("a highlight without a colour has the mirror's, or is white") {
+  const std::string ball = kBall;
   const Scene scene =
-      scene_of("surface { specular 0 0 0 transparent 0 0 0 fuzz 0\n ior 1.5\n no_antialias }");
-  REQUIRE(scene.warnings.size() == 2);
-  CHECK(scene.warnings[0] == "s.b:2: ior has no effect; leave it out");
-  CHECK(scene.warnings[1] == "s.b:3: no_antialias has no effect; leave it out");
+      scene_of("surface { shine 5 specular .1 .2 .3 }" + ball + "surface { shine 2 * 3 }" + ball +
+               "surface { shine 2 -1 0 0 }" + ball);
+  CHECK(scene.surfaces.at(0).shine_color == Eigen::Vector3d(.1, .2, .3));
+  CHECK(scene.surfaces.at(1).shine == 6);
+  CHECK(scene.surfaces.at(1).shine_color == Eigen::Vector3d(1, 1, 1));
+  CHECK(scene.surfaces.at(2).shine == 2);
+  CHECK(scene.surfaces.at(2).shine_color == Eigen::Vector3d(-1, 0, 0));
+  REQUIRE(scene.warnings.size() == 1);
+  CHECK(scene.warnings[0] == "s.b:1: shine -1 0 0 is out of 0..1; write parts of 1");
+}
+
+TEST_CASE("a patch is placed with its normals at right angles to what was scaled") {
+  const Scene scene = scene_of(
+      "transform { scale 1 .5 1 } patch { vertex 0 0 0 normal 0 1 1 vertex .2 0 0 normal 0 0 2 "
+      "vertex 0 .2 0 normal 1 0 1 } transform_pop");
+  const SmoothTriangle& patch = shape_of<SmoothTriangle>(scene);
+  CHECK(patch.vertices[2] == Eigen::Vector3d(0, .1, 0));
+  CHECK(patch.normals[0].isApprox(Eigen::Vector3d(0, 2, 1).normalized()));
+  CHECK(patch.normals[1] == Eigen::Vector3d(0, 0, 1));
+  CHECK(bounding_radius(scene) == .2);
 }
 
 TEST_CASE("colours out of 0..1 are kept with a warning") {

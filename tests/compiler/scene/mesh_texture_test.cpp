@@ -130,7 +130,7 @@ TEST_CASE("a texture that is missing or broken is a warning, and the material's 
 }
 
 TEST_CASE("a texture repeats, and (0, 0) is its lower left corner") {
-  const Texture texture{2, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
+  const MeshTexture texture{2, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
   const auto at = [&](double u, double v) { return std::lround(255 * texture.at({u, v}).x()); };
   CHECK(at(.25, .25) == 3);
   CHECK(at(.75, .25) == 4);

@@ -90,6 +90,20 @@ TEST_CASE("Round objects have a turn by any angle") {
   CHECK(count_rotations(colour(0) + "sphere { center 0 0 0 radius 1 }") > 1000);
 }
 
+TEST_CASE("Smooth triangles turn with their normals, and textures with nothing") {
+  const auto two_patches = [](const std::string& normal) {
+    return "surface { diffuse 1 0 0 }\n"
+           "patch { vertex 0 0 0 normal 0 0 1 vertex 1 0 0 normal 0 0 1 vertex 0 1 0 normal 0 0 1 }"
+           "patch { vertex 0 0 0 normal " +
+           normal +
+           " vertex -1 0 0 normal 0 0 1 vertex 0 -1 0 "
+           "normal 0 0 1 }";
+  };
+  CHECK(count_rotations(two_patches("0 0 1")) == 2);
+  CHECK(count_rotations(two_patches("0 1 1")) == 1);
+  CHECK(count_rotations("surface { texture { checker } } sphere { center 0 0 0 radius 1 }") == 1);
+}
+
 TEST_CASE("Rotations are about the point that the camera looks at") {
   const std::string text = block(1, 1, 1, {0, 0, 0, 0, 0, 0});
   CHECK(object_rotations(scene_of(text, "0 0 0.5")).size() == 4);

@@ -1,0 +1,1 @@
+surface { texture { map "corpus_has_no_such_file.png" scale 2 } }

@@ -1,0 +1,3 @@
+#define NAME "a//b" "
+/* " */ surface { texture { map NAME map "\
+" } } "
