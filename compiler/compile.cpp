@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 
 #include "compiler/aspects/clusters.h"
+#include "compiler/aspects/symmetry.h"
 #include "compiler/index/class_model.h"
 #include "compiler/index/contour_types.h"
 #include "compiler/index/index_writer.h"
@@ -66,8 +67,9 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
     store = std::move(opened).value();
   }
 
-  Result<Subdivision> subdivided = subdivide(
-      {renderer.value(), scene.studio, options, store ? &*store : nullptr, show_progress, stop});
+  const Workshop workshop{renderer.value(),          scene.studio,  options,
+                          store ? &*store : nullptr, show_progress, stop};
+  Result<Subdivision> subdivided = subdivide(workshop);
   if (!subdivided) return Error{subdivided.error()};
   const Subdivision& subdivision = subdivided.value();
 
@@ -79,6 +81,9 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
         scene.name, options.level)};
 
   const auto clustered_at = Clock::now();
+  const Symmetries symmetries = find_symmetries(workshop, subdivision);
+
+  const auto symmetries_at = Clock::now();
   const std::vector<TypeAttributes> types = find_contour_types(
       contour_samples(subdivision, clusters), static_cast<std::size_t>(options.contour_types));
   std::vector<ClassDescription> classes;
@@ -87,7 +92,7 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
 
   const auto typed_at = Clock::now();
   WrittenIndex index =
-      write_index({scene, scene_hash, options, subdivision, clusters, classes, types});
+      write_index({scene, scene_hash, options, subdivision, clusters, classes, types, symmetries});
 
   CompileStatistics s = statistics_of(scene, options, subdivision, clusters);
   s.clusters_in_index = index.class_count;
@@ -98,7 +103,11 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   s.index_bytes = index.bytes.size();
   s.threads = threads;
   s.seconds.cluster = seconds(clustered_at - subdivided_at);
-  s.seconds.types = seconds(typed_at - clustered_at);
+  s.symmetries = symmetries.rotations.size();
+  s.symmetry_axes = symmetries.axes.size();
+  s.symmetry_views = symmetries.views_rendered;
+  s.seconds.symmetry = seconds(symmetries_at - clustered_at);
+  s.seconds.types = seconds(typed_at - symmetries_at);
   s.seconds.emit = seconds(Clock::now() - typed_at);
   s.seconds.total = seconds(Clock::now() - start);
   return CompiledIndex{std::move(index.bytes), s};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/aspects/symmetry.h"
 #include "compiler/index/class_model.h"
 #include "compiler/scene/scene.h"
 
@@ -19,6 +20,7 @@ struct IndexContents {
   std::span<const Cluster> clusters;
   std::span<const ClassDescription> classes;  // one a cluster
   std::span<const TypeAttributes> types;
+  Symmetries symmetries{};
 };
 
 struct WrittenIndex {

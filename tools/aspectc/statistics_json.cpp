@@ -19,6 +19,9 @@ std::string statistics_json(const CompileStatistics& s) {
                                        {"area_fraction", s.area_fraction},
                                        {"clusters_in_index", s.clusters_in_index},
                                        {"area_fraction_in_index", s.area_fraction_in_index},
+                                       {"symmetries", s.symmetries},
+                                       {"symmetry_axes", s.symmetry_axes},
+                                       {"symmetry_views", s.symmetry_views},
                                        {"contour_types", s.contour_types},
                                        {"key_views", s.key_views},
                                        {"key_view_spacing_deg", s.key_view_spacing_deg},
@@ -30,6 +33,7 @@ std::string statistics_json(const CompileStatistics& s) {
                                          {"features", s.seconds.features},
                                          {"match", s.seconds.match},
                                          {"cluster", s.seconds.cluster},
+                                         {"symmetry", s.seconds.symmetry},
                                          {"types", s.seconds.types},
                                          {"emit", s.seconds.emit}}}};
   return json.dump(2) + "\n";
