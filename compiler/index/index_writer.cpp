@@ -140,18 +140,9 @@ std::vector<fb::Axis> packed_axes(const Symmetries& symmetries) {
 
 fb::Extent packed_extent(const Scene& scene) {
   const SceneExtent extent = scene_extent(scene);
-  const Eigen::Vector3f least = extent.least.cast<float>(), most = extent.most.cast<float>(),
-                        centre = scene.studio.at.cast<float>();
-  return {least.x(),
-          least.y(),
-          least.z(),
-          most.x(),
-          most.y(),
-          most.z(),
-          static_cast<float>(extent.diameter),
-          centre.x(),
-          centre.y(),
-          centre.z()};
+  const Eigen::Vector3d &least = extent.least, &most = extent.most, &centre = scene.studio.at;
+  return {least.x(), least.y(),       least.z(),  most.x(),   most.y(),
+          most.z(),  extent.diameter, centre.x(), centre.y(), centre.z()};
 }
 
 std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays& arrays,

@@ -49,8 +49,8 @@ Problem check_structure(std::span<const std::byte> bytes) {
   return {};
 }
 
-bool all_finite(std::initializer_list<float> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
+bool all_finite(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
 bool within(std::uint64_t first, std::uint64_t count, std::size_t size) {

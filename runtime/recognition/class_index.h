@@ -60,9 +60,9 @@ struct AspectClass {
 
 // How far the object reaches, in scene units; all 0 where the index does not say.
 struct ObjectExtent {
-  Vector3 least{}, most{};  // corners of its box
-  float diameter = 0;       // largest distance between two points of its surface
-  Vector3 centre{};         // that views look at and symmetries turn about
+  std::array<double, 3> least{}, most{};  // corners of its box
+  double diameter = 0;                    // largest distance between two points of its surface
+  std::array<double, 3> centre{};         // that views look at and symmetries turn about
 };
 
 struct ClassIndex {

@@ -13,6 +13,7 @@
 #include "compiler/scene/bob_reader.h"
 #include "runtime/recognition/class_match.h"
 #include "tools/aspectc/inspect_command.h"
+#include "tools/aspectc/models_info_command.h"
 #include "tools/aspectc/progress_line.h"
 #include "tools/aspectc/project_file.h"
 #include "tools/aspectc/render_command.h"
@@ -193,6 +194,8 @@ int run_program(int argc, char** argv) {
   CLI::App* render = add_render_command(app, render_command);
   InspectCommand inspect_command;
   CLI::App* inspect = add_inspect_command(app, inspect_command);
+  ModelsInfoCommand models_info_command;
+  CLI::App* models_info = add_models_info_command(app, models_info_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -200,6 +203,7 @@ int run_program(int argc, char** argv) {
   }
   if (render->parsed()) return run_render(render_command);
   if (inspect->parsed()) return run_inspect(inspect_command);
+  if (models_info->parsed()) return run_models_info(models_info_command);
   if (compile_command.scene.empty()) {
     fmt::print(stderr, "aspectc: no scene given; aspectc --help shows how\n");
     return 2;

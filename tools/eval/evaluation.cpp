@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "compiler/scene/bob_reader.h"
-#include "tools/eval/object_symmetry.h"
 #include "tools/eval/random_directions.h"
+#include "tools/eval/view_error.h"
 #include "tools/replay/sized_recogniser.h"
 
 namespace aspect {
@@ -140,7 +140,7 @@ Result<EvaluatedObject> EvaluatedObject::load(const std::filesystem::path& index
   if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};
   Result<ClassViews> views = ClassViews::create(index.value());
   if (!views) return Error{index_file.native() + ": " + views.error()};
-  std::vector<Eigen::Matrix3d> rotations = object_rotations(scene.value());
+  std::vector<Eigen::Matrix3d> rotations = index_rotations(index.value());
   return EvaluatedObject{index_file.native(),      std::move(index).value(),
                          std::move(scene).value(), std::move(renderer).value(),
                          std::move(views).value(), std::move(rotations)};
