@@ -9,6 +9,7 @@
 #include "compiler/index/class_model.h"
 #include "compiler/index/contour_types.h"
 #include "compiler/index/index_writer.h"
+#include "compiler/recipe.h"
 
 namespace aspect {
 namespace {
@@ -17,12 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
-}
-
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001B3U;
-  return hash;
 }
 
 CompileStatistics statistics_of(const Scene& scene, const CompileOptions& options,
@@ -47,6 +42,26 @@ CompileStatistics statistics_of(const Scene& scene, const CompileOptions& option
   return s;
 }
 
+// Views and matches, by way of the store, which is complete and closed on return.
+Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
+                               const std::optional<std::filesystem::path>& store_path,
+                               Workshop workshop) {
+  if (!store_path) return subdivide(workshop);
+  const CompileOptions& options = workshop.options;
+  Result<Store> store = Store::open(*store_path, {fmt::format("{:016x}", scene_hash),
+                                                  options.store_key(), ASPECT_VERSION, scene.name});
+  if (!store) return Error{store.error()};
+  if (Result<Done> kept = keep_recipe(store.value(), scene, options); !kept)
+    return Error{kept.error()};
+  workshop.store = &store.value();
+  Result<Subdivision> subdivision = subdivide(workshop);
+  if (!subdivision) return subdivision;
+  const Result<Done> kept = store.value().add_finished_run(
+      {options.level, options.min_level, options.threshold, subdivision.value().views.size()});
+  if (!kept) return Error{kept.error()};
+  return subdivision;
+}
+
 }  // namespace
 
 Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
@@ -56,22 +71,21 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   const int threads = options.jobs > 0 ? options.jobs : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
-  const std::uint64_t scene_hash = hash_of(scene.source);
-  Result<Renderer> renderer = Renderer::create(scene);
-  if (!renderer) return Error{scene.name + ": " + renderer.error()};
-  std::optional<Store> store;
-  if (store_path) {
-    Result<Store> opened =
-        Store::open(*store_path, {fmt::format("{:016x}", scene_hash), options.store_key()});
-    if (!opened) return Error{opened.error()};
-    store = std::move(opened).value();
-  }
+  const std::uint64_t scene_hash = scene_hash_of(scene);
+  Progress progress;
+  const ShowProgress show = [&](const Progress& now) {
+    progress = now;
+    if (show_progress) show_progress(now);
+  };
+  const auto stopped = [stop] { return stop != nullptr && stop->load(); };
+  const Error interrupted = interruption(store_path.has_value());
 
-  const Workshop workshop{renderer.value(),          scene.studio,  options,
-                          store ? &*store : nullptr, show_progress, stop};
-  Result<Subdivision> subdivided = subdivide(workshop);
-  if (!subdivided) return Error{subdivided.error()};
-  const Subdivision& subdivision = subdivided.value();
+  const Result<Renderer> renderer = Renderer::create(scene);
+  if (!renderer) return Error{scene.name + ": " + renderer.error()};
+  const Workshop workshop{renderer.value(), scene.studio, options, nullptr, show, stop};
+  const Result<Subdivision> subdivided_sphere = subdivided(scene, scene_hash, store_path, workshop);
+  if (!subdivided_sphere) return Error{subdivided_sphere.error()};
+  const Subdivision& subdivision = subdivided_sphere.value();
 
   const auto subdivided_at = Clock::now();
   const std::vector<Cluster> clusters = find_clusters(subdivision, options);
@@ -79,6 +93,10 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
     return Error{fmt::format(
         "{}: no patch of the viewing sphere is uniform at level {}; raise --level or --threshold",
         scene.name, options.level)};
+
+  if (stopped()) return interrupted;
+  progress.clusters = clusters.size();
+  show(progress);
 
   const auto clustered_at = Clock::now();
   const Symmetries symmetries = find_symmetries(workshop, subdivision);
@@ -89,6 +107,8 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   std::vector<ClassDescription> classes;
   for (const Cluster& cluster : clusters)
     classes.push_back(describe_class(subdivision, cluster, types, options.scoring));
+
+  if (stopped()) return interrupted;
 
   const auto typed_at = Clock::now();
   WrittenIndex index =

@@ -5,11 +5,11 @@
 #include "compiler/aspects/subdivision.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numbers>
 
+#include "compiler/aspects/portions.h"
 #include "compiler/aspects/view_codec.h"
 
 namespace aspect {
@@ -65,7 +65,6 @@ class Subdivider {
       if (level >= options.min_level) {
         if (Result<Done> done = examine(patches, level); !done) return Error{done.error()};
       }
-      if (level == options.level) break;
       std::vector<PatchId> next;
       for (const PatchId id : patches) {
         if (level >= options.min_level &&
@@ -73,6 +72,7 @@ class Subdivider {
           progress_.area_accepted += result_.sphere.area_sr(id) / (4 * std::numbers::pi);
           continue;
         }
+        if (level == options.level) continue;
         result_.sphere.split(id);
         const Patch& split = result_.sphere.patch(id);
         next.insert(next.end(), split.children.begin(), split.children.end());
@@ -88,22 +88,18 @@ class Subdivider {
 
  private:
   bool stopped() const { return workshop_.stop != nullptr && workshop_.stop->load(); }
-  Error interrupted() const {
-    if (workshop_.store == nullptr)
-      return {"stopped before the index was complete; without a store nothing was kept"};
-    return {"stopped before the index was complete; run the same command again to go on"};
-  }
-
   Result<Done> remember() {
     if (workshop_.store == nullptr) return Done{};
     Result<Done> views =
         workshop_.store->each_view([&](const Eigen::Vector3d& direction, Store::Bytes bytes) {
+          if (stopped()) return;
           if (std::optional<ObservedView> view = decode_view(direction, bytes))
             remembered_.views.emplace(key_of(direction), std::move(*view));
         });
     if (!views) return views;
     return workshop_.store->each_match([&](const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                            double cost, Store::Bytes bytes) {
+      if (stopped()) return;
       remembered_.matches[key_of(from)][key_of(to)] = decode_match(cost, bytes);
     });
   }
@@ -116,12 +112,14 @@ class Subdivider {
 
   Result<Done> observe_corners(const std::vector<PatchId>& patches) {
     std::vector<VertexId> missing;
+    progress_.views_of_level = 0;
     result_.views.resize(result_.sphere.vertex_count());
     observed_.resize(result_.sphere.vertex_count(), false);
     for (const PatchId id : patches) {
       for (const VertexId corner : result_.sphere.patch(id).corners) {
         if (observed_[number(corner)]) continue;
         observed_[number(corner)] = true;
+        ++progress_.views_of_level;
         const auto known = remembered_.views.find(key_of(result_.sphere.position(corner)));
         if (known != remembered_.views.end())
           result_.views[number(corner)] = std::move(known->second);
@@ -130,32 +128,35 @@ class Subdivider {
       }
     }
     progress_.views_wanted = missing.size();
-    progress_.views_done = 0;
-    // In portions, so that the store falls behind by little and Ctrl-C is heard soon.
-    constexpr std::size_t kPortion = 64;
-    for (std::size_t first = 0; first < missing.size(); first += kPortion) {
-      if (stopped()) return flush_and_stop();
-      const std::size_t end = std::min(first + kPortion, missing.size());
-      tbb::parallel_for(first, end, [&](std::size_t i) {
-        result_.views[number(missing[i])] =
-            observers_.local().observe(result_.sphere.position(missing[i]));
-      });
-      for (std::size_t i = first; i < end && workshop_.store != nullptr; ++i) {
-        const ObservedView& view = result_.views[number(missing[i])];
-        if (Result<Done> done = workshop_.store->add_view(view.direction, encode_view(view)); !done)
-          return done;
-      }
-      progress_.views_done = end;
-      progress_.views_total = result_.views_rendered += end - first;
-      if (workshop_.show_progress) workshop_.show_progress(progress_);
-    }
-    return Done{};
+    progress_.views_done = progress_.matches_done = progress_.matches_wanted = 0;
+    show();
+    Result<Done> done = run_in_portions(
+        missing.size(), workshop_.stop,
+        [&](std::size_t i) {
+          result_.views[number(missing[i])] =
+              observers_.local().observe(result_.sphere.position(missing[i]));
+        },
+        [&](std::size_t i) -> Result<Done> {
+          progress_.views_total = ++result_.views_rendered;
+          if (workshop_.store == nullptr) return Done{};
+          const ObservedView& view = result_.views[number(missing[i])];
+          return workshop_.store->add_view(view.direction, encode_view(view));
+        },
+        [&](std::size_t end) {
+          progress_.views_done = end;
+          show();
+        });
+    return done.ok() && stopped() ? flush_and_stop() : done;
+  }
+
+  void show() const {
+    if (workshop_.show_progress) workshop_.show_progress(progress_);
   }
 
   Result<Done> flush_and_stop() {
     if (workshop_.store != nullptr)
       if (Result<Done> done = workshop_.store->flush(); !done) return done;
-    return interrupted();
+    return interruption(workshop_.store != nullptr);
   }
 
   // Pairs of corners with equally many nodes that were not matched yet.
@@ -203,31 +204,40 @@ class Subdivider {
     std::vector<VertexPair> pairs = missing_pairs(patches);
     std::erase_if(pairs,
                   [this](const VertexPair& pair) { return recall(pair.first, pair.second); });
-    if (stopped()) return flush_and_stop();
     const CompileOptions& options = workshop_.options;
     std::vector<GraphMatch> matches(pairs.size());
     tbb::enumerable_thread_specific<std::chrono::nanoseconds> times;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size()), [&](const auto& range) {
-      const auto start = Clock::now();
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-        matches[i] = match_graphs(result_.views[number(pairs[i].first)],
-                                  result_.views[number(pairs[i].second)], options.match_scales,
-                                  options.cluster_threshold);
-      times.local() += Clock::now() - start;
-    });
+    progress_.matches_wanted = pairs.size();
+    show();
+    Result<Done> done = run_in_portions(
+        pairs.size(), workshop_.stop,
+        [&](std::size_t i) {
+          const auto start = Clock::now();
+          matches[i] = match_graphs(result_.views[number(pairs[i].first)],
+                                    result_.views[number(pairs[i].second)], options.match_scales,
+                                    options.cluster_threshold);
+          times.local() += Clock::now() - start;
+        },
+        [&](std::size_t i) { return keep_match(pairs[i], std::move(matches[i])); },
+        [&](std::size_t end) {
+          progress_.matches_done = end;
+          show();
+        });
     for (const std::chrono::nanoseconds time : times) result_.match_time += time;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto [a, b] = pairs[i];
-      if (matches[i].gave_up) ++result_.matches_gave_up;
-      if (workshop_.store != nullptr) {
-        Result<Done> done =
-            workshop_.store->add_match(result_.sphere.position(a), result_.sphere.position(b),
-                                       matches[i].cost, encode_mapping(matches[i]));
-        if (!done) return done;
-      }
-      result_.matches.add(a, b, std::move(matches[i]));
+    return done.ok() && stopped() ? flush_and_stop() : done;
+  }
+
+  Result<Done> keep_match(const VertexPair& pair, GraphMatch match) {
+    const auto [a, b] = pair;
+    ++result_.matches_executed;
+    if (match.gave_up) ++result_.matches_gave_up;
+    if (workshop_.store != nullptr) {
+      Result<Done> done =
+          workshop_.store->add_match(result_.sphere.position(a), result_.sphere.position(b),
+                                     match.cost, encode_mapping(match));
+      if (!done) return done;
     }
-    result_.matches_executed += pairs.size();
+    result_.matches.add(a, b, std::move(match));
     return Done{};
   }
 
@@ -261,6 +271,11 @@ bool is_uniform(const Subdivision& subdivision, const Patch& patch, double thres
   return subdivision.matches.cost(c[0], c[1]) <= threshold &&
          subdivision.matches.cost(c[1], c[2]) <= threshold &&
          subdivision.matches.cost(c[2], c[0]) <= threshold;
+}
+
+Error interruption(bool is_kept) {
+  if (!is_kept) return {"stopped before the index was complete; without a store nothing was kept"};
+  return {"stopped before the index was complete; run the same command again to go on"};
 }
 
 Result<Subdivision> subdivide(const Workshop& workshop) {

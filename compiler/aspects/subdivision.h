@@ -21,8 +21,10 @@ namespace aspect {
 
 struct Progress {
   int level = 0;
-  std::size_t views_done = 0, views_wanted = 0;  // of this level
-  std::size_t views_total = 0;
+  std::size_t views_of_level = 0;                    // new at this level, from a store or not
+  std::size_t views_done = 0, views_wanted = 0;      // of those, to be rendered
+  std::size_t matches_done = 0, matches_wanted = 0;  // of this level; none before the views are
+  std::size_t views_total = 0;                       // rendered in this run
   double area_accepted = 0;  // share of the sphere in accepted patches so far
   std::size_t clusters = 0;  // once known
 };
@@ -67,6 +69,9 @@ struct Workshop {
   ShowProgress show_progress;               // may be empty
   const std::atomic<bool>* stop = nullptr;  // set by a signal: finish at the next chance
 };
+
+// What there is to say when `stop` was set; kept: in a store.
+Error interruption(bool is_kept);
 
 // Same result for any number of threads. An error where the store fails or `stop` was set.
 Result<Subdivision> subdivide(const Workshop& workshop);

@@ -66,6 +66,7 @@ struct Studio {
 
 struct Scene {
   std::string name;  // the file's name without folder and extension
+  std::string file;  // that it was read from; empty: none
   Studio studio;
   std::vector<Surface> surfaces;
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures

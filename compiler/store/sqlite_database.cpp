@@ -9,6 +9,12 @@
 #include <system_error>
 
 namespace aspect {
+namespace {
+
+constexpr const char* kFull =
+    "the disk is full; make room and start again, what was done before is kept";
+
+}  // namespace
 
 void SqliteStatement::Finalize::operator()(sqlite3_stmt* statement) const noexcept {
   sqlite3_finalize(statement);
@@ -160,10 +166,16 @@ std::string SqliteDatabase::explain(int code) const {
     case SQLITE_CORRUPT:
       return fmt::format("damaged ({}); {}", reason, kStoreRemedy);
     case SQLITE_FULL:
-      return "the disk is full; make room and start again, what was done before is kept";
-    default:
+      return kFull;
+    default: {
+      const int number = sqlite3_system_errno(handle_.get());
+      if (number == ENOSPC || number == EDQUOT) return kFull;
+      const std::string detail =
+          number == 0 ? reason
+                      : fmt::format("{}: {}", reason, std::generic_category().message(number));
       return fmt::format("cannot be read or written ({}); mend that, or pass another --store",
-                         reason);
+                         detail);
+    }
   }
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -18,16 +17,11 @@
 #include "tools/aspectc/project_file.h"
 #include "tools/aspectc/render_command.h"
 #include "tools/aspectc/statistics_json.h"
+#include "tools/aspectc/stop_signals.h"
 #include "tools/aspectc/whole_file.h"
 
 namespace aspect {
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-extern "C" void ask_to_stop(int) {
-  stop_asked.store(true);
-}
 
 struct CompileCommand {
   std::string scene, output, store, statistics, progress = "auto", scoring = "views";
@@ -87,8 +81,10 @@ Result<CompiledIndex> CompileCommand::compile_scene(const Scene& loaded) {
                                                   {"always", ProgressMode::always},
                                                   {"never", ProgressMode::never}};
   ProgressLine line(loaded.name, options.level, modes.at(progress));
+  const std::atomic<bool>& stop =
+      stop_on_signals("aspectc: " + interruption(store_path().has_value()).message);
   Result<CompiledIndex> compiled = compile(
-      loaded, options, store_path(), [&](const Progress& p) { line.show(p); }, &stop_asked);
+      loaded, options, store_path(), [&](const Progress& p) { line.show(p); }, &stop);
   if (compiled.ok() && compiled.value().statistics.clusters_in_index == 0)
     return Error{
         fmt::format("{}: not one class fits into {} KiB; raise --max-index-kib or lower "
@@ -169,8 +165,6 @@ int CompileCommand::run() {
     return 2;
   }
   if (Result<Done> done = check_outputs(); !done) return fail(done.error());
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
   const Result<CompiledIndex> compiled = compile_scene(loaded.value());
   if (!compiled) return fail(compiled.error());
   if (Result<Done> done = write(compiled.value()); !done) return fail(done.error());
@@ -182,12 +176,13 @@ int CompileCommand::run() {
 }
 
 int run_program(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   CLI::App app{"aspectc compiles a coloured CAD model into a class index for aspectd.", "aspectc"};
   app.set_version_flag("--version", ASPECT_VERSION);
   app.footer(
       "Examples:\n  aspectc part.b -o part.aspect --level 5\n"
       "  aspectc render part.b --from 1,0.5,0.3 --segmented -o view.png\n"
-      "  aspectc inspect part.aspect");
+      "  aspectc inspect part.aspect\n  aspectc inspect part.store");
   CompileCommand compile_command;
   compile_command.add_to(app);
   RenderCommand render_command;

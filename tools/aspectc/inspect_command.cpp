@@ -9,6 +9,7 @@
 
 #include "runtime/recognition/class_index.h"
 #include "runtime/service/recognition_json.h"
+#include "tools/aspectc/inspect_store.h"
 
 namespace aspect {
 namespace {
@@ -105,13 +106,15 @@ void print_index(const ClassIndex& index) {
 }  // namespace
 
 CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
-  CLI::App* inspect = app.add_subcommand("inspect", "Print a class index.");
-  inspect->add_option("index", command.index, "class index (.aspect)")->required();
+  CLI::App* inspect = app.add_subcommand("inspect", "Print a class index, or what a store holds.");
+  inspect->add_option("index", command.index, "class index (.aspect) or store (.store)")
+      ->required();
   inspect->add_flag("--json", command.json, "everything, as one JSON object");
   return inspect;
 }
 
 int run_inspect(const InspectCommand& command) {
+  if (is_store(command.index)) return run_inspect_store(command.index, command.json);
   const Result<ClassIndex> index = load_index(command.index);
   if (!index) {
     fmt::print(stderr, "aspectc: {}\n", index.error());

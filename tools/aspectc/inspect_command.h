@@ -1,4 +1,4 @@
-// aspectc inspect FILE.aspect: an index in words, or as JSON.
+// aspectc inspect FILE: an index in words, or as JSON; a store likewise.
 #pragma once
 
 #include <CLI/CLI.hpp>

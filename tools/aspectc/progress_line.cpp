@@ -1,60 +1,117 @@
 #include "tools/aspectc/progress_line.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "tools/aspectc/time_left.h"
 
 namespace aspect {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTerminalPause{100}, kPlainPause{2000};
+
+// A terminal that cannot erase a line is none.
+bool is_terminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+// Some terminals do not know.
+std::size_t terminal_width() {
+  winsize size{};
+  constexpr std::size_t kUsual = 80;
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+}
+
+std::string duration_text(double seconds) {
+  const long whole = std::lround(std::min(seconds, 3.6e8));
+  if (whole < 120) return fmt::format("{} s", whole);
+  if (whole < 7200) return fmt::format("{} min", (whole + 30) / 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace
+
+std::string progress_text(const std::string& object, int last_level, const Progress& p,
+                          std::optional<double> left_s) {
+  const std::size_t views_to_come = p.views_wanted - p.views_done;
+  std::string text =
+      fmt::format("{} level {}/{}, {} of {} views, {:.1f} % covered", object, p.level, last_level,
+                  p.views_of_level - views_to_come, p.views_of_level, 100 * p.area_accepted);
+  if (p.clusters > 0)
+    text += fmt::format(", {} clusters, writing the index", p.clusters);
+  else if (left_s)
+    text += fmt::format(", {} left", duration_text(*left_s));
+  return text;
+}
+
+std::string cut_to_width(const std::string& text, std::size_t width) {
+  std::string cut;
+  std::size_t characters = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool goes_on = (byte & 0xC0U) == 0x80U;
+    if (!goes_on && ++characters > width) break;
+    cut += byte < 0x20 || byte == 0x7F ? '?' : c;
+  }
+  return cut;
+}
 
 ProgressLine::ProgressLine(std::string object, int last_level, ProgressMode mode)
     : object_(std::move(object)),
       last_level_(last_level),
       on_(mode != ProgressMode::never),
-      terminal_(isatty(STDERR_FILENO) == 1) {
-  if (mode == ProgressMode::automatic) on_ = terminal_;
-}
+      terminal_(is_terminal()),
+      quiet_(terminal_ || mode == ProgressMode::always ? kTerminalPause : kPlainPause) {}
 
 ProgressLine::~ProgressLine() {
   if (open_line_) std::fputs("\r\033[K", stderr);
 }
 
-std::string ProgressLine::text(const Progress& p) const {
-  constexpr int kBarWidth = 24;
-  const double done = p.views_wanted == 0
-                          ? 1.0
-                          : static_cast<double>(p.views_done) / static_cast<double>(p.views_wanted);
-  const double level_s = std::chrono::duration<double>(Clock::now() - level_start_).count();
-  const double level_left_s = done > 0 ? level_s * (1 - done) / done : 0;
-  // Past the first levels, patches along borders double from level to level.
-  double left_s = level_left_s;
-  double next_s = level_s + level_left_s;
-  for (int level = p.level; level < last_level_; ++level) left_s += next_s *= 2;
-  const auto filled = static_cast<std::size_t>(done * kBarWidth);
-  return fmt::format("{} level {}/{} [{}{}] {} of {} views, {:.1f} % of the sphere, {} s left",
-                     object_, p.level, last_level_, std::string(filled, '#'),
-                     std::string(kBarWidth - filled, '.'), p.views_done, p.views_wanted,
-                     100 * p.area_accepted, static_cast<int>(left_s + 0.5));
+// Hours of work do not fill a log: plain lines become as rare as a twentieth of the time so far.
+bool ProgressLine::is_due(const Progress& progress, Clock::time_point now) const {
+  if (now - created_ < quiet_) return false;
+  if (!shown_at_) return true;
+  if (terminal_) return now - *shown_at_ >= kTerminalPause || progress.clusters > 0;
+  if (progress.level != shown_.level || progress.clusters != shown_.clusters) return true;
+  return now - *shown_at_ >= std::max<Clock::duration>(kPlainPause, (now - created_) / 20);
+}
+
+void ProgressLine::print(const std::string& text) {
+  if (terminal_)
+    fmt::print(stderr, "\r\033[K{}", cut_to_width(text, terminal_width() - 1));
+  else
+    fmt::print(stderr, "{}\n", cut_to_width(text, text.size()));
+  std::fflush(stderr);
+  open_line_ = terminal_;
 }
 
 void ProgressLine::show(const Progress& progress) {
   if (!on_) return;
   const auto now = Clock::now();
-  const bool new_level = progress.level != shown_level_;
-  if (new_level) {
-    shown_level_ = progress.level;
-    level_start_ = now;
+  if (progress.views_total == 0) views_at_ = now;
+  if (progress.matches_wanted > 0 && progress.level != matched_level_) {
+    matched_level_ = progress.level;
+    matches_at_ = now;
   }
-  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(2000);
-  if (!new_level && now - shown_ < pause && progress.views_done < progress.views_wanted) return;
-  shown_ = now;
-  if (terminal_)
-    fmt::print(stderr, "\r\033[K{}", text(progress));
-  else
-    fmt::print(stderr, "{}\n", text(progress));
-  open_line_ = terminal_;
-  std::fflush(stderr);
+  if (!is_due(progress, now)) return;
+  const auto seconds = [now](Clock::time_point since) {
+    return std::chrono::duration<double>(now - since).count();
+  };
+  print(progress_text(
+      object_, last_level_, progress,
+      seconds_left(progress, last_level_, {seconds(views_at_), seconds(matches_at_)})));
+  shown_ = progress;
+  shown_at_ = now;
 }
 
 }  // namespace aspect

@@ -26,12 +26,26 @@ Error not_written(const std::filesystem::path& file, int reason) {
                       file.string(), std::strerror(reason))};
 }
 
+// So that the new name outlives a power cut. Some file systems cannot; nothing is lost with them.
+void flush_folder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 }  // namespace
 
 Result<Done> check_writable(const std::filesystem::path& file) {
   std::error_code unknown;
   if (std::filesystem::is_directory(file, unknown)) return not_written(file, EISDIR);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (std::filesystem::exists(file, unknown) && !std::filesystem::is_regular_file(file, unknown))
+    return Error{file.string() + ": not a regular file, and would be replaced; name another"};
+  const std::filesystem::path folder = folder_of(file);
   if (!std::filesystem::exists(folder, unknown)) return not_written(file, ENOENT);
   if (!std::filesystem::is_directory(folder, unknown)) return not_written(file, ENOTDIR);
   if (::access(folder.c_str(), W_OK | X_OK) != 0) return not_written(file, errno);
@@ -52,6 +66,7 @@ Result<Done> write_whole_file(const std::filesystem::path& file,
   ::close(descriptor);
   if (!written) return failed(reason);
   if (::rename(aside.c_str(), file.c_str()) != 0) return failed(errno);
+  flush_folder(folder_of(file));
   return Done{};
 }
 
