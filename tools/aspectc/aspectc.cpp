@@ -11,6 +11,7 @@
 #include "compiler/compile.h"
 #include "compiler/scene/bob_reader.h"
 #include "runtime/recognition/class_match.h"
+#include "tools/aspectc/explain_command.h"
 #include "tools/aspectc/inspect_command.h"
 #include "tools/aspectc/models_info_command.h"
 #include "tools/aspectc/progress_line.h"
@@ -189,6 +190,8 @@ int run_program(int argc, char** argv) {
   CLI::App* render = add_render_command(app, render_command);
   InspectCommand inspect_command;
   CLI::App* inspect = add_inspect_command(app, inspect_command);
+  ExplainCommand explain_command;
+  CLI::App* explain = add_explain_command(app, explain_command);
   ModelsInfoCommand models_info_command;
   CLI::App* models_info = add_models_info_command(app, models_info_command);
   try {
@@ -198,6 +201,7 @@ int run_program(int argc, char** argv) {
   }
   if (render->parsed()) return run_render(render_command);
   if (inspect->parsed()) return run_inspect(inspect_command);
+  if (explain->parsed()) return run_explain(explain_command);
   if (models_info->parsed()) return run_models_info(models_info_command);
   if (compile_command.scene.empty()) {
     fmt::print(stderr, "aspectc: no scene given; aspectc --help shows how\n");

@@ -29,6 +29,7 @@ struct EvaluatedObject {
 
   static Result<EvaluatedObject> load(const std::filesystem::path& index,
                                       const std::filesystem::path& scene);
+  static Result<EvaluatedObject> of(ClassIndex index, const std::string& index_file, Scene scene);
 };
 
 inline constexpr std::array<int, 5> kReportedRanks = {1, 2, 3, 5, 10};
