@@ -226,6 +226,27 @@ TEST_CASE("progress is printed where it is asked for and only there") {
   CHECK(here.run({"part.b", "--level", "3", "--no-store"}).err.empty());
 }
 
+TEST_CASE("explain tells of a store, without its scene, and refuses what is none") {
+  const Workplace here;
+  REQUIRE(here.run({"part.b", "--level", "2"}).exit_code == 0);
+  fs::remove(here.file("part.b"));
+  const Outcome words = here.run({"explain", "part.store", "--views", "30"});
+  CHECK(words.exit_code == 0);
+  CHECK(words.err.empty());
+  CHECK_THAT(words.out, Contains("accuracy to expect") && Contains("symmetry: none"));
+  const json printed =
+      json::parse(here.run({"explain", "part.store", "--views", "30", "--json"}).out);
+  CHECK(printed.at("object") == "part");
+  CHECK(printed.at("views") == 30);
+  const std::string help = here.run({"explain", "--help"}).out;
+  for (const auto& [key, value] : printed.items())
+    if (key != "object" && key != "store" && key != "views" && key != "aspects")
+      CHECK_THAT(help, Contains(key));
+  check_fails(here.run({"explain", "none.store"}), {"none.store"});
+  check_fails(here.run({"explain", "part.aspect"}), {"part.aspect"});
+  check_usage(here.run({"explain", "part.store", "--views", "0"}), "--views");
+}
+
 TEST_CASE("models-info writes sizes and symmetries as BOP does, and refuses what is no index") {
   const Workplace here;
   REQUIRE(here.run({"part.b", "--level", "2"}).exit_code == 0);
