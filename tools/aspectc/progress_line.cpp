@@ -49,8 +49,9 @@ std::string progress_text(const std::string& object, int last_level, const Progr
                   p.views_of_level - views_to_come, p.views_of_level, 100 * p.area_accepted);
   if (p.clusters > 0)
     text += fmt::format(", {} clusters, writing the index", p.clusters);
-  else if (left_s)
-    text += fmt::format(", {} left", duration_text(*left_s));
+  else if (p.matches_wanted > 0)
+    text += fmt::format(", {} of {} matches", p.matches_done, p.matches_wanted);
+  if (p.clusters == 0 && left_s) text += fmt::format(", {} left", duration_text(*left_s));
   return text;
 }
 
@@ -71,7 +72,9 @@ ProgressLine::ProgressLine(std::string object, int last_level, ProgressMode mode
       last_level_(last_level),
       on_(mode != ProgressMode::never),
       terminal_(is_terminal()),
-      quiet_(terminal_ || mode == ProgressMode::always ? kTerminalPause : kPlainPause) {}
+      quiet_(terminal_                      ? kTerminalPause
+             : mode == ProgressMode::always ? milliseconds(0)
+                                            : kPlainPause) {}
 
 ProgressLine::~ProgressLine() {
   if (open_line_) std::fputs("\r\033[K", stderr);

@@ -12,10 +12,11 @@
 namespace aspect {
 
 // automatic: everywhere, but a job that is short is silent: 0.1 s on a terminal, 2 s elsewhere.
-// always: 0.1 s everywhere.
+// always: elsewhere from the start.
 enum class ProgressMode { automatic, always, never };
 
 // "part level 4/5, 320 of 642 views, 83.1 % covered, 12 s left"; views from a store count as done.
+// Then its matches; then the clusters.
 std::string progress_text(const std::string& object, int last_level, const Progress& progress,
                           std::optional<double> left_s);
 

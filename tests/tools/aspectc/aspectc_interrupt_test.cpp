@@ -1,13 +1,18 @@
-// aspectc stopped in the middle: by Ctrl-C, by kill -9. The next run takes up the work, and its
+// aspectc stopped in the middle by a signal that it hears. The next run takes up the work, and its
 // index has the bytes of a run that nobody disturbed.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <thread>
+#include <regex>
 
 #include "tests/runtime/capture/temporary_folder.h"
 #include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/terminal_program.h"
+#include "tools/aspectc/stop_signals.h"
 
 namespace aspect {
 namespace {
@@ -42,36 +47,36 @@ std::vector<std::string> with(std::vector<std::string> words,
   return words;
 }
 
-// The first line of progress tells that a tenth of the views was rendered.
-void wait_for_progress(const TemporaryFolder& folder) {
-  const auto end = Clock::now() + std::chrono::seconds(10);
-  while (!Contains("64 of 642 views").match(read_file(folder.path() / "err"))) {
+// Until the terminal shows that.
+void watch_for(TerminalProgram& program, const std::string& pattern) {
+  const std::regex wanted(pattern);
+  const auto end = Clock::now() + std::chrono::seconds(30);
+  while (!std::regex_search(program.all_shown(), wanted)) {
     REQUIRE(Clock::now() < end);
-    std::this_thread::sleep_for(milliseconds(1));
+    REQUIRE(program.watch_until(Clock::now() + milliseconds(5)));
   }
 }
 
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of('\n') + 1;
-  const std::size_t before = text.rfind('\n', end - 1);
-  return text.substr(before == std::string::npos ? 0 : before + 1, end);
+// The program's last words, once it has ended by itself within a second.
+std::string interrupt(TerminalProgram& program, int signal) {
+  const auto asked = Clock::now();
+  program.send(signal);
+  CHECK(program.wait() == 1);
+  CHECK(Clock::now() - asked < std::chrono::seconds(1));
+  const std::vector<std::string> screen = screen_of(program.all_shown());
+  REQUIRE(screen.size() == 2);
+  CHECK_THAT(screen[0], StartsWith("aspectc: stopped"));
+  return screen[0];
 }
 
 }  // namespace
 
 TEST_CASE("a run that is interrupted exits with 1 within a second, and the next one resumes it") {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
-    ChildProgram first(folder.path(), with(kCompile, {"--progress", "always"}));
-    wait_for_progress(folder);
-    const auto asked = Clock::now();
-    first.send(signal);
-    const Outcome outcome = first.wait();
-    CHECK(Clock::now() - asked < std::chrono::seconds(1));
-    CHECK(outcome.exit_code == 1);
-    CHECK(outcome.out.empty());
-    CHECK_THAT(last_line(outcome.err),
-               StartsWith("aspectc: ") && Contains("run the same command again"));
+    TerminalProgram first(folder.path(), kCompile, 120);
+    watch_for(first, "[1-9][0-9]* of 642 views");
+    CHECK_THAT(interrupt(first, signal), Contains("run the same command again"));
     CHECK_FALSE(fs::exists(folder.path() / "l.aspect"));
 
     CHECK(run_aspectc(folder.path(), with(kCompile, {"--stats", "s.json"})).exit_code == 0);
@@ -82,37 +87,57 @@ TEST_CASE("a run that is interrupted exits with 1 within a second, and the next 
   }
 }
 
-TEST_CASE("without a store an interrupted run does not promise to go on") {
+TEST_CASE("a run that is interrupted while it matches keeps the matches it has made") {
   const TemporaryFolder folder;
-  ChildProgram child(folder.path(), with(kCompile, {"--no-store", "--progress", "always"}));
-  wait_for_progress(folder);
-  child.send(SIGINT);
-  const Outcome outcome = child.wait();
-  CHECK(outcome.exit_code == 1);
-  CHECK_THAT(last_line(outcome.err), Contains("stopped") && !Contains("to go on"));
+  const std::vector<std::string> truck = {ASPECT_SOURCE_DIR "/compiler/models/truck.b", "--level",
+                                          "3", "-o", "truck.aspect"};
+  TerminalProgram first(folder.path(), truck, 120);
+  watch_for(first, "[1-9][0-9]* of [0-9]+ matches");
+  interrupt(first, SIGINT);
+  const Outcome held = run_aspectc(folder.path(), {"inspect", "truck.store", "--json"});
+  const json store = json::parse(held.out);
+  CHECK(store["views"] == 642);
+  CHECK(store["matches"] > 0);
+  CHECK(store["runs"].empty());
 }
 
-// Work is kept from the second second on, so that this one takes two.
-TEST_CASE("five kills at random moments, and the next run gives the undisturbed bytes") {
-  const std::vector<std::string> deep = compile_to(4);
-  const TemporaryFolder calm, folder;
-  REQUIRE(run_aspectc(calm.path(), with(deep, {"--no-store"})).exit_code == 0);
-  const std::string undisturbed_bytes = read_file(calm.path() / "l.aspect");
-  const fs::path index = folder.path() / "l.aspect";
-  std::mt19937 random(5);
-  for (int round = 0; round < 5; ++round) {
-    const milliseconds moment(round % 2 == 0 ? random() % 500 : 1050 + random() % 150);
-    ChildProgram child(folder.path(), deep);
-    const auto end = Clock::now() + moment;
-    while (Clock::now() < end && !child.has_ended()) std::this_thread::sleep_for(milliseconds(1));
-    child.send(SIGKILL);
-    child.wait();
-    INFO("killed after " << moment.count() << " ms");
-    // Never half-written: not there, or whole.
-    if (fs::exists(index)) CHECK(read_file(index) == undisturbed_bytes);
+TEST_CASE("without a store an interrupted run does not promise to go on") {
+  const TemporaryFolder folder;
+  TerminalProgram program(folder.path(), with(kCompile, {"--no-store"}), 120);
+  watch_for(program, "of 642 views");
+  CHECK_THAT(interrupt(program, SIGINT), !Contains("to go on"));
+}
+
+TEST_CASE("a second signal ends the program at once") {
+  const TemporaryFolder folder;
+  TerminalProgram program(folder.path(), kCompile, 120);
+  watch_for(program, "of 642 views");
+  const auto asked = Clock::now();
+  program.send(SIGTERM);
+  program.send(SIGINT);
+  CHECK(program.wait() == -1);
+  CHECK(Clock::now() - asked < milliseconds(300));
+}
+
+TEST_CASE("a step that does not listen is ended within a second, with the same words") {
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  const auto asked = Clock::now();
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDERR_FILENO);
+    stop_on_signals("stopped, truly");
+    kill(getpid(), SIGINT);
+    for (;;) pause();
   }
-  CHECK(run_aspectc(folder.path(), deep).exit_code == 0);
-  CHECK(read_file(index) == undisturbed_bytes);
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(Clock::now() - asked < std::chrono::seconds(1));
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 1));
+  std::array<char, 100> said{};
+  REQUIRE(read(ends[0], said.data(), said.size() - 1) > 0);
+  CHECK(std::string(said.data()) == "stopped, truly\n");
+  for (const int end : ends) close(end);
 }
 
 TEST_CASE("an index that is replaced is whole at every moment") {
