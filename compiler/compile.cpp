@@ -51,11 +51,11 @@ Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
   Result<Store> store = Store::open(*store_path, {fmt::format("{:016x}", scene_hash),
                                                   options.store_key(), ASPECT_VERSION, scene.name});
   if (!store) return Error{store.error()};
-  if (Result<Done> kept = keep_recipe(store.value(), scene, options); !kept)
-    return Error{kept.error()};
   workshop.store = &store.value();
   Result<Subdivision> subdivision = subdivide(workshop);
   if (!subdivision) return subdivision;
+  if (Result<Done> noted = keep_recipe(store.value(), scene, options); !noted)
+    return Error{noted.error()};
   const Result<Done> kept = store.value().add_finished_run(
       {options.level, options.min_level, options.threshold, subdivision.value().views.size()});
   if (!kept) return Error{kept.error()};

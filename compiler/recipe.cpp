@@ -135,6 +135,8 @@ Result<Recipe> read_recipe(const std::filesystem::path& path, const std::optiona
     return Error{path.string() + ": its model is not complete; compile the scene again to go on"};
   const Result<std::string> text = store.value().note(kOptions);
   if (!text) return Error{text.error()};
+  if (text.value().empty())
+    return Error{path.string() + ": does not say how it was made; compile the scene again"};
   const Result<CompileOptions> options = parse_options(text.value());
   if (!options) return Error{path.string() + ": " + options.error() + "; compile the scene again"};
   const std::string& hash = contents.value().key.scene_hash;

@@ -42,7 +42,7 @@ class SymmetrySearch {
   Symmetries run() {
     if (known_.samples().empty()) return {};
     for (const Eigen::Vector3d& axis : axes()) {
-      if (rendered_ > kMostRendered) break;
+      if (is_over()) break;
       if (try_any_angle(axis)) {
         found_.axes = {round_axis_};
         complete_round_object();
@@ -81,6 +81,11 @@ class SymmetrySearch {
     return camera;
   }
 
+  // Every view takes its time; a search that is cut short finds fewer symmetries.
+  bool is_over() const {
+    return rendered_ > kMostRendered || (workshop_.stop != nullptr && workshop_.stop->load());
+  }
+
   // Views of samples [first, end), turned.
   std::vector<ObservedView> render(const Eigen::Quaterniond& rotation, std::size_t first,
                                    std::size_t end) {
@@ -102,7 +107,7 @@ class SymmetrySearch {
       const std::vector<ObservedView> views = render(rotation, first, end);
       for (std::size_t k = first; k < end; ++k)
         if (!are_equal_views(known_.view(known_.samples()[k]), views[k - first])) ++unequal;
-      if (unequal > most) return false;
+      if (unequal > most || is_over()) return false;
     }
     return true;
   }
@@ -152,7 +157,7 @@ class SymmetrySearch {
 
   void try_folds(const Eigen::Vector3d& axis) {
     for (const int fold : kFolds) {
-      if (rendered_ > kMostRendered) return;
+      if (is_over()) return;
       if (group_.contains(turn_of(axis, fold))) return;
       if (!is_likely(axis, fold)) continue;
       const Eigen::Vector3d exact =

@@ -27,7 +27,9 @@ struct Symmetries {
 // with the camera turned by it and all but 3 % came out equal within 2 % of the outline's area: a
 // mark that shows less than that, or from fewer places, is overlooked.
 //
-// The subdivision's views must have been made with this workshop. Deterministic; no store needed.
+// Stops early, with fewer symmetries, where the workshop's `stop` is set or 600 views were
+// rendered. The subdivision's views must have been made with this workshop. Deterministic; no store
+// needed.
 Symmetries find_symmetries(const Workshop& workshop, const Subdivision& subdivision);
 
 // Views that differ by no more than the noise of the pixel grid; roll included.

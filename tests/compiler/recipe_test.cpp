@@ -89,6 +89,11 @@ TEST_CASE("a store that is missing, foreign, unfinished or of another scene is r
   const Scene scene = read_bob(folder.write("part.b", kScene)).value();
   { REQUIRE(Store::open(store, {"0", odd_options().store_key(), "0", "part"}).ok()); }
   CHECK_THAT(read_recipe(store).error(), Contains("not complete"));
+  {
+    Store old = Store::open_existing(store).value();
+    REQUIRE(old.add_finished_run({}).ok());
+  }
+  CHECK_THAT(read_recipe(store).error(), Contains("does not say how it was made"));
   std::filesystem::remove(store);
   compile_to(scene, store);
   CHECK_THAT(read_recipe(store, model_scene("cube")).error(), Contains("another scene"));
