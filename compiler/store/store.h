@@ -29,9 +29,9 @@ namespace aspect {
 // What the work depends on: other inputs, other store.
 struct StoreKey {
   std::string scene_hash;
-  std::string options;   // all that change a view or a match, in a form that a human can compare
-  std::string compiler;  // its version: another one may see other views
-  std::string object;    // for people; not compared
+  std::string options;  // all that change a view or a match, in a form that a human can compare
+  std::string compiler = {};  // its version: another one may see other views
+  std::string object = {};    // for people; not compared
 };
 
 // A model whose views and matches are all in the store.

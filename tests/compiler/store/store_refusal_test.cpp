@@ -77,8 +77,30 @@ TEST_CASE("a key may hold any bytes") {
 TEST_CASE("a store of another version is refused") {
   const TemporaryFolder folder;
   write_sample_store(folder / "a.store");
-  run_sql(folder / "a.store", "PRAGMA user_version = 2");
+  run_sql(folder / "a.store", "PRAGMA user_version = 1");
   CHECK_THAT(refusal(folder / "a.store", sample_key()), Contains("another version"));
+}
+
+TEST_CASE("a store of another version of the compiler is refused, and opens without a key") {
+  const TemporaryFolder folder;
+  StoreKey key = sample_key();
+  key.compiler = "1.2.3";
+  key.object = "a part";
+  REQUIRE(Store::open(folder / "a.store", key).value().add_finished_run({5, 3, 1e4, 642}).ok());
+  StoreKey other = key;
+  other.compiler = "1.2.4";
+  CHECK_THAT(refusal(folder / "a.store", other),
+             Contains("another version of aspectc ('1.2.3', not '1.2.4')"));
+  const StoreContents contents =
+      Store::open_existing(folder / "a.store").value().contents().value();
+  CHECK(contents.key.object == "a part");
+  CHECK(contents.key.compiler == "1.2.3");
+  CHECK(contents.key.options == key.options);
+  REQUIRE(contents.runs.size() == 1);
+  CHECK(contents.runs[0].level == 5);
+  CHECK(contents.runs[0].views == 642);
+  CHECK_FALSE(Store::open_existing(folder / "none.store").ok());
+  CHECK_FALSE(std::filesystem::exists(folder / "none.store"));
 }
 
 TEST_CASE("another program's database is refused and stays as it is") {
