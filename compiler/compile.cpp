@@ -6,9 +6,11 @@
 
 #include "compiler/aspects/border_classes.h"
 #include "compiler/aspects/clusters.h"
+#include "compiler/aspects/symmetry.h"
 #include "compiler/index/class_model.h"
 #include "compiler/index/contour_types.h"
 #include "compiler/index/index_writer.h"
+#include "compiler/recipe.h"
 
 namespace aspect {
 namespace {
@@ -17,12 +19,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
-}
-
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001B3U;
-  return hash;
 }
 
 CompileStatistics statistics_of(const Scene& scene, const CompileOptions& options,
@@ -53,19 +49,18 @@ CompileStatistics statistics_of(const Scene& scene, const CompileOptions& option
 
 // Views and matches, by way of the store, which is complete and closed on return.
 Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
-                               const CompileOptions& options,
                                const std::optional<std::filesystem::path>& store_path,
-                               const ShowProgress& show_progress, const std::atomic<bool>* stop) {
-  Result<Renderer> renderer = Renderer::create(scene);
-  if (!renderer) return Error{scene.name + ": " + renderer.error()};
-  if (!store_path)
-    return subdivide({renderer.value(), scene.studio, options, nullptr, show_progress, stop});
+                               Workshop workshop) {
+  if (!store_path) return subdivide(workshop);
+  const CompileOptions& options = workshop.options;
   Result<Store> store = Store::open(*store_path, {fmt::format("{:016x}", scene_hash),
                                                   options.store_key(), ASPECT_VERSION, scene.name});
   if (!store) return Error{store.error()};
-  Result<Subdivision> subdivision =
-      subdivide({renderer.value(), scene.studio, options, &store.value(), show_progress, stop});
+  workshop.store = &store.value();
+  Result<Subdivision> subdivision = subdivide(workshop);
   if (!subdivision) return subdivision;
+  if (Result<Done> noted = keep_recipe(store.value(), scene, options); !noted)
+    return Error{noted.error()};
   const Result<Done> kept = store.value().add_finished_run(
       {options.level, options.min_level, options.threshold, subdivision.value().views.size()});
   if (!kept) return Error{kept.error()};
@@ -81,7 +76,7 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   const int threads = options.jobs > 0 ? options.jobs : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
-  const std::uint64_t scene_hash = hash_of(scene.source);
+  const std::uint64_t scene_hash = scene_hash_of(scene);
   Progress progress;
   const ShowProgress show = [&](const Progress& now) {
     progress = now;
@@ -90,8 +85,10 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   const auto stopped = [stop] { return stop != nullptr && stop->load(); };
   const Error interrupted = interruption(store_path.has_value());
 
-  const Result<Subdivision> subdivided_sphere =
-      subdivided(scene, scene_hash, options, store_path, show, stop);
+  const Result<Renderer> renderer = Renderer::create(scene);
+  if (!renderer) return Error{scene.name + ": " + renderer.error()};
+  const Workshop workshop{renderer.value(), scene.studio, options, nullptr, show, stop};
+  const Result<Subdivision> subdivided_sphere = subdivided(scene, scene_hash, store_path, workshop);
   if (!subdivided_sphere) return Error{subdivided_sphere.error()};
   const Subdivision& subdivision = subdivided_sphere.value();
 
@@ -109,6 +106,9 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   show(progress);
 
   const auto clustered_at = Clock::now();
+  const Symmetries symmetries = find_symmetries(workshop, subdivision);
+
+  const auto symmetries_at = Clock::now();
   const std::vector<TypeAttributes> types = find_contour_types(
       contour_samples(subdivision, clusters), static_cast<std::size_t>(options.contour_types));
   std::vector<ClassDescription> classes;
@@ -118,8 +118,8 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   if (stopped()) return interrupted;
 
   const auto typed_at = Clock::now();
-  WrittenIndex index = write_index(
-      {scene, scene_hash, options, subdivision, clusters, sphere_classes, classes, types});
+  WrittenIndex index = write_index({scene, scene_hash, options, subdivision, clusters,
+                                    sphere_classes, classes, types, symmetries});
 
   CompileStatistics s = statistics_of(scene, options, subdivision, clusters);
   s.clusters_in_index = index.class_count;
@@ -131,7 +131,11 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   s.index_bytes = index.bytes.size();
   s.threads = threads;
   s.seconds.cluster = seconds(clustered_at - subdivided_at);
-  s.seconds.types = seconds(typed_at - clustered_at);
+  s.symmetries = symmetries.rotations.size();
+  s.symmetry_axes = symmetries.axes.size();
+  s.symmetry_views = symmetries.views_rendered;
+  s.seconds.symmetry = seconds(symmetries_at - clustered_at);
+  s.seconds.types = seconds(typed_at - symmetries_at);
   s.seconds.emit = seconds(Clock::now() - typed_at);
   s.seconds.total = seconds(Clock::now() - start);
   return CompiledIndex{std::move(index.bytes), s};

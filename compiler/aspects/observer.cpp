@@ -59,9 +59,14 @@ Observer::Observer(const Renderer& renderer, const Studio& studio,
 }
 
 ObservedView Observer::observe(const Eigen::Vector3d& direction) {
+  ObservedView view = observe(camera_at(studio_, direction));
+  view.direction = direction;
+  return view;
+}
+
+ObservedView Observer::observe(const Camera& camera) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const Camera camera = camera_at(studio_, direction);
   renderer_->render(camera, picture_);
   const auto rendered = Clock::now();
   render_time_ += rendered - start;
@@ -69,7 +74,7 @@ ObservedView Observer::observe(const Eigen::Vector3d& direction) {
   parameters_.region_of_interest = picture_.foreground;
   graph_ = vision_.run(frame_, parameters_);
   ObservedView view;
-  view.direction = direction;
+  view.direction = (camera.position_object - studio_.at).normalized();
   view.right = camera.camera_from_object.row(0);
   if (!graph_.blobs.empty()) {
     const Blob& blob = graph_.blobs.front();

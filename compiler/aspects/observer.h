@@ -20,6 +20,8 @@ class Observer {
   Observer(const Renderer& renderer, const Studio& studio, const VisionParameters& parameters);
 
   ObservedView observe(const Eigen::Vector3d& direction);
+  // From any camera, rolled as it may be.
+  ObservedView observe(const Camera& camera);
 
   // Of the last view, for drawing and for evaluation.
   const Picture& picture() const { return picture_; }

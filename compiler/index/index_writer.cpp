@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "compiler/index/sphere_map.h"
+#include "compiler/scene/scene_extent.h"
 #include "runtime/recognition/class_index.h"
 #include "schema/class_index_generated.h"
 
@@ -137,6 +138,31 @@ flatbuffers::Offset<fb::Segmentation> write_segmentation(flatbuffers::FlatBuffer
   return table.Finish();
 }
 
+std::vector<fb::Rotation> packed_rotations(const Symmetries& symmetries) {
+  std::vector<fb::Rotation> packed;
+  for (const Eigen::Quaterniond& q : symmetries.rotations) {
+    const Eigen::Quaternionf f = q.cast<float>();
+    packed.emplace_back(f.w(), f.x(), f.y(), f.z());
+  }
+  return packed;
+}
+
+std::vector<fb::Axis> packed_axes(const Symmetries& symmetries) {
+  std::vector<fb::Axis> packed;
+  for (const Eigen::Vector3d& axis : symmetries.axes) {
+    const Eigen::Vector3f f = axis.cast<float>();
+    packed.emplace_back(f.x(), f.y(), f.z());
+  }
+  return packed;
+}
+
+fb::Extent packed_extent(const Scene& scene) {
+  const SceneExtent extent = scene_extent(scene);
+  const Eigen::Vector3d &least = extent.least, &most = extent.most, &centre = scene.studio.at;
+  return {least.x(), least.y(),       least.z(),  most.x(),   most.y(),
+          most.z(),  extent.diameter, centre.x(), centre.y(), centre.z()};
+}
+
 std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays& arrays,
                                     const std::vector<std::uint8_t>& map) {
   const CompileOptions& options = contents.options;
@@ -152,6 +178,7 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
   for (const TypeAttributes& type : contents.types)
     types.insert(types.end(), type.begin(), type.end());
   const Studio& studio = contents.scene.studio;
+  const fb::Extent extent = packed_extent(contents.scene);
   const auto root = fb::CreateClassIndex(
       builder, index_format_version(v.sensor), 0, builder.CreateString(contents.scene.name),
       provenance, segmentation, static_cast<fb::Scoring>(options.scoring),
@@ -160,7 +187,9 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
       builder.CreateVector(types), builder.CreateVectorOfStructs(arrays.classes),
       builder.CreateVectorOfStructs(arrays.contours), builder.CreateVectorOfStructs(arrays.scores),
       builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
-      builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map));
+      builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map),
+      builder.CreateVectorOfStructs(packed_rotations(contents.symmetries)),
+      builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent);
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
                                   builder.GetBufferPointer() + builder.GetSize());

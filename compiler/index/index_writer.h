@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/aspects/border_classes.h"
+#include "compiler/aspects/symmetry.h"
 #include "compiler/index/class_model.h"
 #include "compiler/scene/scene.h"
 
@@ -21,6 +22,7 @@ struct IndexContents {
   const SphereClasses& sphere_classes;
   std::span<const ClassDescription> classes;  // one a cluster
   std::span<const TypeAttributes> types;
+  Symmetries symmetries{};
 };
 
 struct WrittenIndex {

@@ -22,6 +22,7 @@ Result<Scene> parse_bob(std::string_view text, const std::filesystem::path& name
     BobWords words(sources, sources.add(name, std::string(text)), include_path);
     Scene scene = BobParser(words).parse();
     scene.name = name.stem().string();
+    scene.file = name.string();
     return scene;
   } catch (const BobError& error) {
     return Error{error.what()};

@@ -37,6 +37,7 @@ Result<Scene> scene_from(const std::filesystem::path& file, const MeshColours& c
     if (!made) return Error{fmt::format("{}: {}", name, made.error())};
     Scene scene = std::move(made).value();
     scene.name = file.stem().string();
+    scene.file = file.string();
     for (std::string& warning : scene.warnings) warning = fmt::format("{}: {}", name, warning);
     return scene;
   } catch (const MeshError& error) {

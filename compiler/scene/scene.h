@@ -146,6 +146,7 @@ struct SourceFromObject {
 
 struct Scene {
   std::string name;  // the file's name without folder and extension
+  std::string file;  // that it was read from; empty: none
   Studio studio;
   std::vector<Surface> surfaces;
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures

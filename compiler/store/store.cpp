@@ -36,6 +36,10 @@ constexpr const char* kEachMatch = R"(
   LEFT JOIN views t ON t.id = CASE WHEN from_larger THEN smaller ELSE larger END
   ORDER BY smaller, larger)";
 
+// Made by the first note, so that stores without any stay as they are.
+constexpr const char* kNotes =
+    "CREATE TABLE IF NOT EXISTS notes (name TEXT PRIMARY KEY, text TEXT NOT NULL)";
+
 using DirectionBytes = std::array<std::byte, 3 * sizeof(double)>;
 
 DirectionBytes bytes_of(const Eigen::Vector3d& direction) {
@@ -205,6 +209,30 @@ Result<Done> Store::add_finished_run(const FinishedRun& run) {
     statement.step();
     state_->commit();
     return Done{};
+  });
+}
+
+Result<Done> Store::set_note(const std::string& name, const std::string& text) {
+  return outcome_of([&] {
+    state_->begin();
+    state_->database->execute(kNotes);
+    SqliteStatement statement =
+        state_->database->prepare("INSERT OR REPLACE INTO notes VALUES (?1, ?2)");
+    statement.bind(1, name);
+    statement.bind(2, text);
+    statement.step();
+    return Done{};
+  });
+}
+
+Result<std::string> Store::note(const std::string& name) const {
+  return outcome_of([&]() -> std::string {
+    const bool has_notes = state_->database->query_integer(
+                               "SELECT count(*) FROM sqlite_master WHERE name = 'notes'") > 0;
+    if (!has_notes) return {};
+    SqliteStatement statement = state_->database->prepare("SELECT text FROM notes WHERE name = ?1");
+    statement.bind(1, name);
+    return statement.step() ? statement.text(0) : std::string{};
   });
 }
 

@@ -81,6 +81,10 @@ class Store {
 
   Result<Done> add_finished_run(const FinishedRun& run);  // and commits
 
+  // Text kept under a name, for whoever takes the store up later; empty where there is none.
+  Result<Done> set_note(const std::string& name, const std::string& text);
+  Result<std::string> note(const std::string& name) const;
+
   Result<Done> flush();
 
   Result<StoreContents> contents() const;

@@ -53,8 +53,8 @@ Problem check_structure(std::span<const std::byte> bytes) {
   return {};
 }
 
-bool all_finite(std::initializer_list<float> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
+bool all_finite(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
 bool within(std::uint64_t first, std::uint64_t count, std::size_t size) {
@@ -191,6 +191,41 @@ Problem unpack_sensor(const fb::ClassIndex& root, VisionParameters& vision) {
   return {};
 }
 
+bool is_unit(std::span<const float> numbers) {
+  float squares = 0;
+  for (const float x : numbers) squares += x * x;
+  return std::abs(squares - 1) < 1e-3F;  // false where it is not a number
+}
+
+// Absent in indexes made before there were any.
+Problem unpack_symmetries(const fb::ClassIndex& root, ClassIndex& index) {
+  constexpr flatbuffers::uoffset_t kMostSymmetries = 128, kMostAxes = 3;
+  const Problem problem{"holds symmetries that cannot be" + recompile()};
+  const auto* rotations = root.symmetries();
+  const auto* axes = root.symmetry_axes();
+  if (rotations != nullptr && rotations->size() > kMostSymmetries) return problem;
+  if (axes != nullptr && axes->size() > kMostAxes) return problem;
+  for (flatbuffers::uoffset_t k = 0; rotations != nullptr && k < rotations->size(); ++k) {
+    const fb::Rotation* r = rotations->Get(k);
+    index.symmetries.push_back({r->w(), r->x(), r->y(), r->z()});
+    if (!is_unit(index.symmetries.back())) return problem;
+  }
+  for (flatbuffers::uoffset_t k = 0; axes != nullptr && k < axes->size(); ++k) {
+    index.symmetry_axes.push_back({axes->Get(k)->x(), axes->Get(k)->y(), axes->Get(k)->z()});
+    if (!is_unit(index.symmetry_axes.back())) return problem;
+  }
+  const fb::Extent* e = root.extent();
+  if (e == nullptr) return {};
+  if (!all_finite({e->min_x(), e->min_y(), e->min_z(), e->max_x(), e->max_y(), e->max_z(),
+                   e->diameter(), e->centre_x(), e->centre_y(), e->centre_z()}))
+    return {"holds a number that is not finite" + recompile()};
+  index.extent = {{e->min_x(), e->min_y(), e->min_z()},
+                  {e->max_x(), e->max_y(), e->max_z()},
+                  e->diameter(),
+                  {e->centre_x(), e->centre_y(), e->centre_z()}};
+  return {};
+}
+
 Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
   const fb::Segmentation& s = *root.segmentation();
   if (!all_finite({s.thickness_min_px(), root.field_of_view_deg()}) ||
@@ -234,7 +269,7 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   ClassIndex index;
   index.file_bytes = bytes.size();
   for (const auto& unpack_part :
-       {unpack_settings, unpack_types, unpack_key_views, unpack_classes}) {
+       {unpack_settings, unpack_types, unpack_key_views, unpack_classes, unpack_symmetries}) {
     if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
   }
   if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);

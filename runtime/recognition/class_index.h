@@ -62,6 +62,13 @@ struct AspectClass {
   std::uint32_t view_count = 0;
 };
 
+// How far the object reaches, in scene units; all 0 where the index does not say.
+struct ObjectExtent {
+  std::array<double, 3> least{}, most{};  // corners of its box
+  double diameter = 0;                    // largest distance between two points of its surface
+  std::array<double, 3> centre{};         // that views look at and symmetries turn about
+};
+
 struct ClassIndex {
   std::string object;
   VisionParameters vision;  // as compiled with
@@ -79,6 +86,11 @@ struct ClassIndex {
   std::vector<KeyView> key_views;
   std::vector<KeyContour> key_contours;
   std::vector<std::uint8_t> sphere_map;  // for sphere_map.h
+  // Rotations of the object that no view of it betrays, w x y z, without the identity; and the unit
+  // axes about which any angle does, which combine with them.
+  std::vector<std::array<float, 4>> symmetries;
+  std::vector<Vector3> symmetry_axes;
+  ObjectExtent extent;
 
   template <typename T>
   static std::span<const T> part(const std::vector<T>& all, IndexRange range) {

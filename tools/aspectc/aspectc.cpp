@@ -7,8 +7,10 @@
 
 #include "tools/aspectc/compile_command.h"
 #include "tools/aspectc/convert_command.h"
+#include "tools/aspectc/explain_command.h"
 #include "tools/aspectc/init_command.h"
 #include "tools/aspectc/inspect_command.h"
+#include "tools/aspectc/models_info_command.h"
 #include "tools/aspectc/render_command.h"
 
 namespace aspect {
@@ -34,6 +36,10 @@ int run_program(int argc, char** argv) {
   CLI::App* inspect = add_inspect_command(app, inspect_command);
   ConvertCommand convert_command;
   CLI::App* convert = add_convert_command(app, convert_command);
+  ExplainCommand explain_command;
+  CLI::App* explain = add_explain_command(app, explain_command);
+  ModelsInfoCommand models_info_command;
+  CLI::App* models_info = add_models_info_command(app, models_info_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -43,6 +49,8 @@ int run_program(int argc, char** argv) {
   if (render->parsed()) return run_render(render_command);
   if (inspect->parsed()) return run_inspect(inspect_command);
   if (convert->parsed()) return run_convert(convert_command);
+  if (explain->parsed()) return run_explain(explain_command);
+  if (models_info->parsed()) return run_models_info(models_info_command);
   if (compile_command.scene.empty()) {
     fmt::print(stderr, "aspectc: no scene given; aspectc --help shows how\n");
     return 2;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/index_bundle.h"
@@ -44,6 +46,13 @@ Json index_json(const ClassIndex& index) {
             {"height", index.height_px},
             {"contour_types", index.types.size()},
             {"key_views", index.key_views.size()},
+            {"symmetries", index.symmetries},
+            {"symmetry_axes", index.symmetry_axes},
+            {"extent",
+             {{"min", index.extent.least},
+              {"max", index.extent.most},
+              {"diameter", index.extent.diameter},
+              {"centre", index.extent.centre}}},
             {"classes", Json::array()}};
   for (const AspectClass& aspect : index.classes) {
     Json entry{{"area_fraction", aspect.area_fraction},
@@ -59,6 +68,19 @@ Json index_json(const ClassIndex& index) {
   return json;
 }
 
+void print_symmetries(const ClassIndex& index) {
+  for (const Vector3& a : index.symmetry_axes)
+    fmt::print("round about the axis {:.4f} {:.4f} {:.4f}\n", a[0], a[1], a[2]);
+  for (const std::array<float, 4>& q : index.symmetries) {
+    const float sine = std::hypot(q[1], q[2], q[3]);
+    fmt::print("the same when turned by {:.2f} degrees about {:.4f} {:.4f} {:.4f}\n",
+               2 * std::atan2(sine, q[0]) * 180 / std::numbers::pi_v<float>, q[1] / sine,
+               q[2] / sine, q[3] / sine);
+  }
+  if (index.symmetries.empty() && index.symmetry_axes.empty()) fmt::print("no symmetry\n");
+  fmt::print("\n");
+}
+
 void print_index(const ClassIndex& index) {
   double area = 0;
   for (const AspectClass& aspect : index.classes) area += static_cast<double>(aspect.area_fraction);
@@ -66,8 +88,9 @@ void print_index(const ClassIndex& index) {
              index.object, name_of(index.vision.sensor),
              static_cast<double>(index.file_bytes) / 1024, index.level, index.threshold,
              index.cluster_threshold, index.scoring);
-  fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n\n",
+  fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n",
              index.classes.size(), 100 * area, index.types.size(), index.key_views.size());
+  print_symmetries(index);
   fmt::print("class  area %  views  keys  from                    contours (surfaces: types)\n");
   for (std::size_t c = 0; c < index.classes.size(); ++c) {
     const AspectClass& aspect = index.classes[c];

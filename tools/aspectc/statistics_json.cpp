@@ -24,6 +24,9 @@ nlohmann::ordered_json json_of(const CompileStatistics& s) {
           {"area_fraction_in_index", s.area_fraction_in_index},
           {"area_assigned", s.area_assigned},
           {"area_assigned_in_index", s.area_assigned_in_index},
+          {"symmetries", s.symmetries},
+          {"symmetry_axes", s.symmetry_axes},
+          {"symmetry_views", s.symmetry_views},
           {"contour_types", s.contour_types},
           {"key_views", s.key_views},
           {"key_view_spacing_deg", s.key_view_spacing_deg},
@@ -35,6 +38,7 @@ nlohmann::ordered_json json_of(const CompileStatistics& s) {
             {"features", s.seconds.features},
             {"match", s.seconds.match},
             {"cluster", s.seconds.cluster},
+            {"symmetry", s.seconds.symmetry},
             {"types", s.seconds.types},
             {"emit", s.seconds.emit}}}};
 }

@@ -5,84 +5,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "compiler/render/sensor.h"
 #include "tools/aspectc/prepared_object.h"
-#include "tools/eval/object_symmetry.h"
 #include "tools/eval/random_directions.h"
-#include "tools/replay/sized_recogniser.h"
+#include "tools/eval/test_bench.h"
+#include "tools/eval/view_error.h"
 
 namespace aspect {
 namespace {
-
-// Rendered views through a recogniser. The object is alone in them: one blob, as the compiler sees.
-class TestBench {
- public:
-  TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings)
-      : recogniser_(indexes, parameters_for(indexes, settings)),
-        sensor_(make_sensor(indexes.front().vision)) {}
-
-  // The result lives until the next call.
-  Recognition recognise(const EvaluatedObject& object, const Eigen::Vector3d& direction) {
-    object.renderer.render(camera_at(object.scene.studio, direction), picture_);
-    recogniser_.make_room(picture_.width_px, picture_.height_px);
-    return recogniser_.recognise(sensor_->frame_of(picture_));
-  }
-
- private:
-  static RecogniserParameters parameters_for(std::span<const ClassIndex> indexes,
-                                             const EvaluationSettings& settings) {
-    RecogniserParameters parameters;
-    parameters.vision = indexes.front().vision;
-    parameters.vision.one_blob = true;
-    parameters.matching = settings.matching;
-    parameters.ranking = settings.ranking;
-    parameters.top = kMaxHypotheses;
-    return parameters;
-  }
-
-  SizedRecogniser recogniser_;
-  std::unique_ptr<Sensor> sensor_;
-  Picture picture_;
-};
-
-std::span<const Hypothesis> hypotheses_of(const Recognition& recognition) {
-  if (recognition.objects.empty()) return {};
-  return recognition.objects.front().hypotheses;
-}
-
-double milliseconds(std::chrono::nanoseconds duration) {
-  return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-double error_deg(const EvaluatedObject& object, const Eigen::Vector3d& truth,
-                 const Vector3& found) {
-  const Eigen::Vector3d view =
-      Eigen::Vector3f(found[0], found[1], found[2]).cast<double>().normalized();
-  return view_error_rad(object.rotations, truth, view) * 180 / std::numbers::pi;
-}
-
-template <typename Same>
-int rank_of(std::span<const Hypothesis> hypotheses, const Same& is_right) {
-  for (std::size_t k = 0; k < hypotheses.size(); ++k)
-    if (is_right(static_cast<std::int32_t>(hypotheses[k].class_id))) return static_cast<int>(k) + 1;
-  return 0;
-}
-
-ViewOutcome judge(const EvaluatedObject& object, const ClassSymmetry& symmetry,
-                  const Eigen::Vector3d& direction, const Recognition& recognition) {
-  ViewOutcome outcome;
-  outcome.direction = direction;
-  outcome.right_class = object.views.nearest(direction);
-  outcome.elapsed_ms = milliseconds(recognition.elapsed);
-  const auto hypotheses = hypotheses_of(recognition);
-  const std::int32_t right = outcome.right_class;
-  outcome.rank = rank_of(hypotheses, [&](std::int32_t c) { return c == right; });
-  outcome.rank_with_symmetry =
-      rank_of(hypotheses, [&](std::int32_t c) { return symmetry.same(right, c); });
-  if (!hypotheses.empty())
-    outcome.error_deg = error_deg(object, direction, hypotheses.front().view);
-  return outcome;
-}
 
 template <typename Test>
 double share_of(const std::vector<ViewOutcome>& outcomes, const Test& test) {
@@ -143,15 +72,22 @@ Result<EvaluatedObject> EvaluatedObject::create(const std::filesystem::path& ind
                                                 const std::filesystem::path& scene_file) {
   Result<Scene> scene = read_prepared_scene(scene_file);
   if (!scene) return Error{scene.error()};
-  Result<Renderer> renderer = Renderer::create(scene.value());
-  if (!renderer) return Error{scene_file.native() + ": " + renderer.error()};
+  return of(std::move(index), index_file.native(), std::move(scene).value());
+}
+
+Result<EvaluatedObject> EvaluatedObject::of(ClassIndex index, const std::string& index_file,
+                                            Scene scene) {
+  Result<Renderer> renderer = Renderer::create(scene);
+  if (!renderer) return Error{scene.file + ": " + renderer.error()};
   Result<ClassViews> views = ClassViews::create(index);
-  if (!views) return Error{index_file.native() + ": " + views.error()};
-  std::vector<Eigen::Matrix3d> rotations =
-      object_rotations(as_seen_by(index.vision.sensor, scene.value()));
-  return EvaluatedObject{index_file.native(),      std::move(index),
-                         std::move(scene).value(), std::move(renderer).value(),
-                         std::move(views).value(), std::move(rotations)};
+  if (!views) return Error{index_file + ": " + views.error()};
+  std::vector<Eigen::Matrix3d> rotations = index_rotations(index);
+  return EvaluatedObject{index_file,
+                         std::move(index),
+                         std::move(scene),
+                         std::move(renderer).value(),
+                         std::move(views).value(),
+                         std::move(rotations)};
 }
 
 ObjectEvaluation evaluate_object(const EvaluatedObject& object,

@@ -32,6 +32,7 @@ struct EvaluatedObject {
   // With an index that is loaded; its file is named in messages.
   static Result<EvaluatedObject> create(const std::filesystem::path& index_file, ClassIndex index,
                                         const std::filesystem::path& scene);
+  static Result<EvaluatedObject> of(ClassIndex index, const std::string& index_file, Scene scene);
 };
 
 inline constexpr std::array<int, 5> kReportedRanks = {1, 2, 3, 5, 10};

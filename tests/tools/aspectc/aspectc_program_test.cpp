@@ -1,6 +1,8 @@
 // aspectc's public contract: exit codes, messages, files.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "runtime/recognition/class_index.h"
@@ -222,6 +224,63 @@ TEST_CASE("progress is printed where it is asked for and only there") {
   const Outcome shown = here.run({"part.b", "--level", "3", "--no-store", "--progress", "always"});
   CHECK_THAT(shown.err, Contains("part level 3/3") && Contains("of 642 views"));
   CHECK(here.run({"part.b", "--level", "3", "--no-store"}).err.empty());
+}
+
+TEST_CASE("explain tells of a store, without its scene, and refuses what is none") {
+  const Workplace here;
+  REQUIRE(here.run({"part.b", "--level", "2"}).exit_code == 0);
+  fs::remove(here.file("part.b"));
+  const Outcome words = here.run({"explain", "part.store", "--views", "30"});
+  CHECK(words.exit_code == 0);
+  CHECK(words.err.empty());
+  CHECK_THAT(words.out, Contains("accuracy to expect") && Contains("symmetry: none"));
+  const json printed =
+      json::parse(here.run({"explain", "part.store", "--views", "30", "--json"}).out);
+  CHECK(printed.at("object") == "part");
+  CHECK(printed.at("views") == 30);
+  const std::string help = here.run({"explain", "--help"}).out;
+  for (const auto& [key, value] : printed.items())
+    if (key != "object" && key != "store" && key != "views" && key != "aspects")
+      CHECK_THAT(help, Contains(key));
+  check_fails(here.run({"explain", "none.store"}), {"none.store"});
+  check_fails(here.run({"explain", "part.aspect"}), {"part.aspect"});
+  check_usage(here.run({"explain", "part.store", "--views", "0"}), "--views");
+}
+
+TEST_CASE("models-info writes sizes and symmetries as BOP does, and refuses what is no index") {
+  const Workplace here;
+  REQUIRE(here.run({"part.b", "--level", "2"}).exit_code == 0);
+  CHECK(here.run({"models-info", "part.aspect", "part.aspect", "-o", "m.json"}).exit_code == 0);
+  const json printed = json::parse(here.run({"models-info", "part.aspect", "part.aspect"}).out);
+  std::ifstream file(here.file("m.json"));
+  CHECK(json::parse(file) == printed);
+  REQUIRE(printed.size() == 2);
+  const json& model = printed.at("2");
+  CHECK(model.at("name") == "part");
+  CHECK(model.at("diameter").get<double>() == Approx(0.4 * std::sqrt(3.0)));
+  CHECK(model.at("min_z").get<double>() == Approx(-0.2));
+  CHECK(model.at("size_x").get<double>() == Approx(0.4));
+  CHECK_FALSE(model.contains("symmetries_discrete"));
+  check_fails(here.run({"models-info", "part.b"}), {"part.b", "not a class index"});
+}
+
+TEST_CASE("models-info gives symmetries as matrices by rows") {
+  const Workplace here;
+  here.folder().write("bar.b", R"(
+studio { at 0 0 0 up 0 0 1 angle 50 resolution 128 128 antialias none aspect 1 ambient 1 1 1 }
+surface { diffuse .8 .1 .1 } cylinder { base 0 0 -.2 apex 0 0 .2 radius .1 }
+surface { diffuse .1 .8 .1 } ring { center 0 0 .2 normal 0 0 1 radius .1 }
+                             ring { center 0 0 -.2 normal 0 0 1 radius .1 })");
+  REQUIRE(here.run({"bar.b", "--level", "2"}).exit_code == 0);
+  const json bar = json::parse(here.run({"models-info", "bar.aspect"}).out).at("1");
+  CHECK(bar.at("symmetries_continuous") ==
+        json::parse(R"([{"axis": [0, 0, 1], "offset": [0, 0, 0]}])"));
+  REQUIRE(bar.at("symmetries_discrete").size() == 1);
+  const auto m = bar.at("symmetries_discrete").at(0).get<std::vector<double>>();
+  REQUIRE(m.size() == 16);
+  CHECK(m[10] == -1);
+  CHECK(m[0] == -m[5]);
+  CHECK(std::vector(m.begin() + 12, m.end()) == std::vector<double>{0, 0, 0, 1});
 }
 
 TEST_CASE("inspect prints an index in words and as JSON, and refuses what is none") {

@@ -12,20 +12,20 @@ ClassIndex octants() {
   SphereMap map;
   for (int level = 0; level < 3; ++level)
     for (const PatchId leaf : map.sphere.leaves()) map.sphere.split(leaf);
-  map.class_of.assign(map.sphere.patch_count(), kNoClass);
+  map.classes.class_of.assign(map.sphere.patch_count(), kNoClass);
   for (const PatchId leaf : map.sphere.leaves()) {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const VertexId corner : map.sphere.patch(leaf).corners)
       centre += map.sphere.position(corner);
     const int octant =
         (centre.x() > 0 ? 0 : 1) + (centre.y() > 0 ? 0 : 2) + (centre.z() > 0 ? 0 : 4);
-    map.class_of[static_cast<std::size_t>(leaf)] = octant == 7 ? kNoClass : octant;
+    map.classes.class_of[static_cast<std::size_t>(leaf)] = octant == 7 ? kNoClass : octant;
   }
   ClassIndex index;
   index.classes.resize(7);
   for (std::size_t c = 0; c < 7; ++c)
     index.classes[c].view = {c & 1U ? -0.6F : 0.6F, c & 2U ? -0.6F : 0.6F, c & 4U ? -0.53F : 0.53F};
-  index.sphere_map = encode_sphere_map(map.sphere, map.class_of, 7, 3);
+  index.sphere_map = encode_sphere_map(map.sphere, map.classes, 7, 3);
   return index;
 }
 
@@ -76,7 +76,8 @@ TEST_CASE("A map without classes and a damaged one are refused") {
   index.sphere_map.resize(index.sphere_map.size() / 2);
   CHECK_FALSE(ClassViews::create(index).ok());
   const SphereMap bare;
-  const std::vector<std::int32_t> none(bare.sphere.patch_count(), kNoClass);
+  SphereClasses none;
+  none.class_of.assign(bare.sphere.patch_count(), kNoClass);
   index.sphere_map = encode_sphere_map(bare.sphere, none, 7, 0);
   const Result<ClassViews> empty = ClassViews::create(index);
   REQUIRE_FALSE(empty.ok());

@@ -1,4 +1,5 @@
-// The proper rotations that leave an object as it is, in shape and in what a sensor sees of it.
+// The proper rotations that leave an object as it is, in shape and colour: found from the scene's
+// primitives, which the compiler, looking at views only, does not do.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,16 +16,5 @@ namespace aspect {
 // Compares the lists of primitives: a face that is cut differently from its image hides a symmetry.
 // Lights are left out. O(candidates * primitives^2) at worst.
 std::vector<Eigen::Matrix3d> object_rotations(const Scene& scene);
-
-// The scene with the surfaces that a sensor tells apart: a range sensor sees no colours, one for
-// surface ids tells every primitive from every other.
-Scene as_seen_by(SensorKind sensor, Scene scene);
-
-// Angle between two unit vectors; at most `pi`.
-double angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
-// Angle between two views of an object, modulo its rotations.
-double view_error_rad(const std::vector<Eigen::Matrix3d>& rotations, const Eigen::Vector3d& truth,
-                      const Eigen::Vector3d& found);
 
 }  // namespace aspect

@@ -1,13 +1,16 @@
-#include "tools/eval/object_symmetry.h"
+#include "tools/eval/view_error.h"
 
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "compiler/compile.h"
 #include "compiler/scene/bob_reader.h"
+#include "tests/tools/eval/object_rotations.h"
 
 namespace aspect {
 namespace {
@@ -110,6 +113,24 @@ TEST_CASE("Rotations are about the point that the camera looks at") {
   CHECK(object_rotations(scene_of(text, "0.1 0.2 0.5")).size() == 1);
 }
 
+TEST_CASE("The index's symmetries are those that the scene's primitives have") {
+  for (const char* name : {"cube", "blockcyl1", "dumbbell", "l_shape"}) {
+    CAPTURE(name);
+    Scene scene = read_bob(fmt::format(ASPECT_SOURCE_DIR "/compiler/models/{}.b", name)).value();
+    const std::vector<Eigen::Matrix3d> right = object_rotations(scene);
+    scene.studio.width_px = scene.studio.height_px = 192;
+    CompileOptions options;
+    options.level = options.min_level = 2;
+    const auto bytes = compile(scene, options, {}, {}, nullptr).value().bytes;
+    const ClassIndex index = parse_index(std::as_bytes(std::span(bytes)), name).value();
+    const std::vector<Eigen::Matrix3d> found = index_rotations(index);
+    REQUIRE(found.size() == right.size());
+    for (const Eigen::Matrix3d& rotation : right)
+      CHECK(std::any_of(found.begin(), found.end(),
+                        [&](const auto& other) { return other.isApprox(rotation, 1e-4); }));
+  }
+}
+
 TEST_CASE("BLOCKCYL1 has the half turn about its peg") {
   const Result<Scene> scene = read_bob(ASPECT_SOURCE_DIR "/compiler/models/blockcyl1.b");
   REQUIRE(scene.ok());
@@ -139,13 +160,4 @@ TEST_CASE("The error of a view is the least over the rotations") {
 }
 
 }  // namespace
-TEST_CASE("what a sensor does not see does not part rotations") {
-  const Scene dice = scene_of(block(1, 1, 1, {0, 1, 2, 3, 4, 5}));
-  CHECK(object_rotations(as_seen_by(SensorKind::colour, dice)).size() == 1);
-  CHECK(object_rotations(as_seen_by(SensorKind::range, dice)).size() == 24);
-  const Scene plain = scene_of(block(1, 1, 1, {0, 0, 0, 0, 0, 0}));
-  CHECK(object_rotations(as_seen_by(SensorKind::colour, plain)).size() == 24);
-  CHECK(object_rotations(as_seen_by(SensorKind::surface, plain)).size() == 1);
-}
-
 }  // namespace aspect

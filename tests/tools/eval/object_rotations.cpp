@@ -1,4 +1,4 @@
-#include "tools/eval/object_symmetry.h"
+#include "tests/tools/eval/object_rotations.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -172,20 +172,6 @@ double radius_about(const Scene& scene) {
 
 }  // namespace
 
-Scene as_seen_by(SensorKind sensor, Scene scene) {
-  if (sensor == SensorKind::range)
-    for (Primitive& primitive : scene.primitives) primitive.surface = 0;
-  if (sensor != SensorKind::surface) return scene;
-  scene.surfaces.clear();
-  for (Primitive& primitive : scene.primitives) {
-    primitive.surface = static_cast<int>(scene.surfaces.size());
-    Surface surface;
-    surface.ambient = Eigen::Vector3d::Constant(primitive.surface);
-    scene.surfaces.push_back(surface);
-  }
-  return scene;
-}
-
 std::vector<Eigen::Matrix3d> object_rotations(const Scene& scene) {
   RotationSet candidates;
   candidates.add(Eigen::Matrix3d::Identity());
@@ -200,18 +186,6 @@ std::vector<Eigen::Matrix3d> object_rotations(const Scene& scene) {
     for (std::size_t b = 0; b < generators && found.rotations.size() < kMostRotations; ++b)
       found.add(found.rotations[a] * found.rotations[b]);
   return found.rotations;
-}
-
-double angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-}
-
-double view_error_rad(const std::vector<Eigen::Matrix3d>& rotations, const Eigen::Vector3d& truth,
-                      const Eigen::Vector3d& found) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Matrix3d& rotation : rotations)
-    least = std::min(least, angle_rad(rotation * truth, found));
-  return least;
 }
 
 }  // namespace aspect

@@ -1,0 +1,56 @@
+#include "tools/explain/explanation.h"
+
+#include <algorithm>
+
+#include "compiler/compile.h"
+#include "tools/explain/blind_spots.h"
+#include "tools/explain/colour_cure.h"
+#include "tools/explain/confusions.h"
+
+namespace aspect {
+
+Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
+                            const ExplainSettings& settings) {
+  CompileOptions options = recipe.options;
+  options.jobs = settings.jobs;
+  const Result<CompiledIndex> compiled = compile(recipe.scene, options, store, {}, nullptr);
+  if (!compiled) return Error{compiled.error()};
+  Result<ClassIndex> index =
+      parse_index(std::as_bytes(std::span(compiled.value().bytes)), store.string());
+  if (!index) return Error{index.error()};
+  const Result<EvaluatedObject> made =
+      EvaluatedObject::of(std::move(index).value(), store.string(), recipe.scene);
+  if (!made) return Error{made.error()};
+  const EvaluatedObject& object = made.value();
+  const VisionParameters& vision = options.vision;
+
+  const Faces faces = faces_of(recipe.scene);
+  const std::vector<Trial> trials = run_trials(object, faces, settings);
+  Explanation e;
+  e.object = object.index.object;
+  e.store = store.string();
+  e.views = settings.views;
+  e.aspects = object.index.classes.size();
+  e.symmetries = object.index.symmetries;
+  e.symmetry_axes = object.index.symmetry_axes;
+  e.accuracy = accuracy_of(trials);
+  for (const Trial& trial : trials) {
+    if (trial.is_wrong()) ++e.wrong_views;
+    if (!trial.is_wrong() && !trial.right_aspect) ++e.neighbour_views;
+  }
+  BlindSpots blind = find_blind_spots(object, faces, options);
+  e.blind_share = blind.share;
+  e.blind_spots = std::move(blind.spots);
+  e.failing_spots = failing_spots(trials);
+  e.faces = faces.all;
+  e.confusions = aspect_confusions(trials, faces);
+  e.face_confusions = face_confusions(trials, faces, vision);
+  const std::vector<ColourChange> changes = colour_changes(e.face_confusions, faces, vision);
+  if (changes.empty()) return e;
+  Result<Cure> cure = try_changes(recipe, changes, faces, trials, settings);
+  if (!cure) return Error{cure.error()};
+  e.cure = std::move(cure).value();
+  return e;
+}
+
+}  // namespace aspect

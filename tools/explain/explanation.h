@@ -1,0 +1,103 @@
+// What to expect of a compiled model before it ships: how often it is recognised, which aspects are
+// mistaken for which, where it cannot be recognised, and which surface colour would cure it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compiler/recipe.h"
+
+namespace aspect {
+
+struct ExplainSettings {
+  int views = 500;  // fresh random ones
+  std::uint64_t seed = 1;
+  int cure_level = 3;  // of the model compiled with changed colours; less than the store's is quick
+  int jobs = 0;
+};
+
+// A share of the views, with the 95 % interval that their number leaves (Wilson).
+struct Share {
+  double share = 0, low = 0, high = 0;
+};
+Share share_of(std::size_t count, std::size_t total);
+
+struct Accuracy {
+  Share rank_1, rank_5, rank_10;  // the right aspect among the first, modulo symmetry
+  Share within_20_deg;            // of the best answer's view from the true one, modulo symmetry
+};
+
+// A part of the sphere, about a direction.
+struct Spot {
+  Eigen::Vector3d centre{0, 0, 1};
+  double share = 0;  // of the sphere, or of the views
+  double radius_deg = 0;
+  std::string reason;
+};
+
+// One or more primitives in a plane, of one colour: what people would call a face.
+struct Face {
+  std::vector<std::uint16_t> primitives;  // from 1, as in pictures
+  Eigen::Vector3d colour{0, 0, 0};        // as it is seen, linear 0..1
+};
+
+// Views of one aspect answered with a far view (more than 20 degrees off) of another.
+struct AspectConfusion {
+  std::int32_t aspect = 0, taken_for = 0;
+  std::size_t views = 0;
+  Eigen::Vector3d seen_from{0, 0, 1}, believed_from{0, 0, 1};  // means
+  std::vector<Face> faces, faces_believed;                     // of the contours that were matched
+};
+
+// Two faces of which one was matched with a contour of the other.
+struct FaceConfusion {
+  std::size_t face = 0, taken_for = 0;  // into Explanation::faces
+  std::size_t views = 0;
+  double separation = 0;  // of the colours; the segmentation separates above 1
+};
+
+struct ColourChange {
+  std::size_t face = 0;
+  Eigen::Vector3d colour{0, 0, 0};
+  std::string colour_name;
+  double separation = 0;  // least, from all other faces; it was that of the confusion
+};
+
+struct Cure {
+  std::vector<ColourChange> changes;
+  int level = 0;                 // of the model compiled to try them
+  std::size_t wrong_before = 0;  // views answered by a far view; with the store's model
+  std::size_t wrong_after = 0;
+  std::size_t cured = 0;  // of those wrong before, the ones that are right after
+  Accuracy after;
+};
+
+struct Explanation {
+  std::string object, store;
+  int views = 0;
+  std::size_t aspects = 0;
+  std::vector<std::array<float, 4>> symmetries;
+  std::vector<std::array<float, 3>> symmetry_axes;
+  Accuracy accuracy;
+  std::size_t neighbour_views = 0;  // another aspect, but a view at most 20 degrees off
+  std::size_t wrong_views = 0;      // farther off, or nothing found
+  double blind_share = 0;           // of the sphere: no aspect covers it
+  std::vector<Spot> blind_spots;    // largest first
+  std::vector<Spot> failing_spots;  // where wrong answers come from
+  std::vector<Face> faces;
+  std::vector<AspectConfusion> confusions;  // most views first
+  std::vector<FaceConfusion> face_confusions;
+  Cure cure;  // without changes where none would help
+};
+
+// Makes the model of a store again, which renders nothing new, and puts it to the test.
+Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
+                            const ExplainSettings& settings);
+
+std::string explanation_text(const Explanation& explanation);
+std::string explanation_json(const Explanation& explanation);
+
+}  // namespace aspect
