@@ -35,21 +35,31 @@ std::vector<EdgeView> views_round(const Subdivision& subdivision, const Patch& p
   return round;
 }
 
-// Borders halfway between views of different classes.
+// Views of different classes that are farther apart, in edges, leave it open where the border is.
+constexpr double kWidestGap = 1.0 / 8;
+
+// Borders halfway between views of different classes; what is between views too far apart belongs
+// to none.
 PatchDivision division_of(const std::vector<EdgeView>& round,
                           const std::vector<std::int32_t>& class_of_view) {
-  PatchDivision along_edges;
-  for (std::size_t k = 0; k < round.size(); ++k) {
-    const double before = k == 0 ? round.back().place - 3 : round[k - 1].place;
-    const double halfway = (before + round[k].place) / 2;
-    along_edges.places.push_back(halfway < 0 ? halfway + 3 : halfway);
-    along_edges.classes.push_back(class_of_view[number(round[k].view)]);
-  }
-  if (along_edges.places.front() > along_edges.places.back()) {
-    std::rotate(along_edges.places.begin(), along_edges.places.begin() + 1,
-                along_edges.places.end());
-    std::rotate(along_edges.classes.begin(), along_edges.classes.begin() + 1,
-                along_edges.classes.end());
+  const auto class_of = [&](std::size_t k) {
+    return class_of_view[number(round[k % round.size()].view)];
+  };
+  PatchDivision along_edges{{0}, {class_of(0)}};
+  const auto begin_class = [&](double place, std::int32_t id) {
+    along_edges.places.push_back(place);
+    along_edges.classes.push_back(id);
+  };
+  for (std::size_t k = 1; k <= round.size(); ++k) {
+    if (class_of(k) == class_of(k - 1)) continue;
+    const double from = round[k - 1].place;
+    const double to = k == round.size() ? 3 : round[k].place;
+    if (to - from <= kWidestGap) {
+      begin_class((from + to) / 2, class_of(k));
+    } else {
+      begin_class(from + kWidestGap / 2, kNoClass);
+      begin_class(to - kWidestGap / 2, class_of(k));
+    }
   }
   return joined(along_edges);
 }
@@ -84,6 +94,9 @@ class BorderDivision {
     for (const auto& [seed, ignored] : neighbours)
       if (class_of_view_[number(seed)] == kNoClass) start_cluster(seed, neighbours, added);
     for (const PatchId patch : left_) divide(patch);
+    for (std::size_t c = 0; c < clusters_.size(); ++c)
+      for (ClusterView& view : clusters_[c].views)
+        if (class_of(view.vertex) == c) view.weight += weight_[number(view.vertex)];
     for (const VertexId view : added)
       clusters_[class_of(view)].views.push_back(
           {view, weight_[number(view)], names_[number(view)]});
@@ -204,14 +217,22 @@ class BorderDivision {
     const std::vector<double> shares = piece_shares(division);
     const double area = share_of_sphere(subdivision_.sphere, id);
     for (std::size_t k = 0; k < shares.size(); ++k)
-      if (division.classes[k] != kNoClass)
-        clusters_[static_cast<std::size_t>(division.classes[k])].area_assigned += shares[k] * area;
-    for (const EdgeView& view : round)
-      weight_[number(view.view)] += area / static_cast<double>(round.size());
+      if (division.classes[k] != kNoClass) assign(round, division.classes[k], shares[k] * area);
     if (division.classes.size() == 1)
       classes_.class_of[static_cast<std::size_t>(id)] = division.classes[0];
     else
       classes_.divisions.emplace(static_cast<std::uint32_t>(id), std::move(division));
+  }
+
+  // Shared equally by the patch's views of that class.
+  void assign(const std::vector<EdgeView>& round, std::int32_t id, double area) {
+    clusters_[static_cast<std::size_t>(id)].area_assigned += area;
+    const auto is_own = [&](const EdgeView& view) {
+      return class_of_view_[number(view.view)] == id;
+    };
+    const auto own = std::count_if(round.begin(), round.end(), is_own);
+    for (const EdgeView& view : round)
+      if (is_own(view)) weight_[number(view.view)] += area / static_cast<double>(own);
   }
 
   const Subdivision& subdivision_;

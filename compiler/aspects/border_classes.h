@@ -14,7 +14,8 @@ namespace aspect {
 // first; views left over that match each other are clusters of their own, aspects too thin for a
 // uniform patch, at the end and only if they come to small_cluster_fraction. Adds those views,
 // named, to their clusters, and what a cluster gains to its area_assigned. Classes are the places
-// of clusters.
+// of clusters. Where bisection ended early, what lies between views of different classes more than
+// an eighth of an edge apart is of none.
 SphereClasses divide_borders(const Subdivision& subdivision, const CompileOptions& options,
                              std::vector<Cluster>& clusters);
 

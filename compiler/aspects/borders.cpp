@@ -54,6 +54,7 @@ Result<Done> find_borders(const CompileOptions& options, Subdivision& found,
   for (int round = 0; round < kBisections; ++round) {
     spent += gaps.size();
     if (spent > static_cast<std::size_t>(options.border_views)) break;
+    observations.progress.border_round = round + 1;
     const std::vector<Observations::Wanted> wanted = middles(gaps, found);
     if (Result<Done> done = observations.observe(wanted); !done) return done;
     std::vector<ViewPair> pairs;

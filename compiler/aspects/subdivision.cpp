@@ -99,6 +99,7 @@ Error interruption(bool is_kept) {
 Result<Subdivision> subdivide(const Workshop& workshop) {
   Subdivision found;
   Observations observations(workshop, found);
+  observations.progress.border_rounds = workshop.options.border_views > 0 ? kBisections : 0;
   if (Result<Done> done = observations.remember(); !done) return Error{done.error()};
   if (Result<Done> done = split_by_levels(workshop.options, found, observations); !done)
     return Error{done.error()};

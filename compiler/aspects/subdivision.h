@@ -21,7 +21,8 @@ namespace aspect {
 
 struct Progress {
   int level = 0;
-  std::size_t views_of_level = 0;                    // new at this level, from a store or not
+  int border_round = 0, border_rounds = 0;  // of bisection, after the last level
+  std::size_t views_of_level = 0;  // new at this level or in this round, from a store or not
   std::size_t views_done = 0, views_wanted = 0;      // of those, to be rendered
   std::size_t matches_done = 0, matches_wanted = 0;  // of this level; none before the views are
   std::size_t views_total = 0;                       // rendered in this run

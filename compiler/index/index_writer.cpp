@@ -203,19 +203,41 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
 
 }  // namespace
 
+namespace {
+
+std::vector<std::uint8_t> index_bytes(const IndexContents& contents, std::size_t class_count,
+                                      double spacing_deg, const std::vector<std::uint8_t>& map,
+                                      std::size_t& key_view_count) {
+  const Arrays arrays = fill_arrays(contents, class_count, spacing_deg);
+  key_view_count = arrays.key_views.size();
+  return serialise(contents, arrays, map);
+}
+
+}  // namespace
+
 WrittenIndex write_index(const IndexContents& contents) {
+  const std::size_t budget = contents.options.max_index_bytes;
   WrittenIndex written;
-  written.class_count = contents.clusters.size();
-  written.key_view_spacing_deg = kFinestSpacing_deg;
-  for (;;) {
-    const Arrays arrays = fill_arrays(contents, written.class_count, written.key_view_spacing_deg);
-    written.bytes = serialise(contents, arrays, map_of(contents, written.class_count));
-    written.key_view_count = arrays.key_views.size();
-    if (written.bytes.size() <= contents.options.max_index_bytes || written.class_count == 0) break;
-    if (written.key_view_spacing_deg < kCoarsestSpacing_deg)
-      written.key_view_spacing_deg *= kSpacingStep;
-    else
-      written.class_count -= std::max<std::size_t>(written.class_count / 20, 1);
+  const auto write = [&](std::size_t class_count, double spacing_deg,
+                         const std::vector<std::uint8_t>& map) {
+    written.class_count = class_count;
+    written.key_view_spacing_deg = spacing_deg;
+    written.bytes = index_bytes(contents, class_count, spacing_deg, map, written.key_view_count);
+    return written.bytes.size() <= budget;
+  };
+  const std::vector<std::uint8_t> whole_map = map_of(contents, contents.clusters.size());
+  double spacing_deg = kFinestSpacing_deg;
+  while (!write(contents.clusters.size(), spacing_deg, whole_map) &&
+         spacing_deg < kCoarsestSpacing_deg)
+    spacing_deg *= kSpacingStep;
+  if (written.bytes.size() > budget) {
+    // The most classes that fit, at the coarsest spacing.
+    std::size_t fits = 0, too_many = contents.clusters.size();
+    while (too_many - fits > 1) {
+      const std::size_t middle = (fits + too_many) / 2;
+      (write(middle, spacing_deg, map_of(contents, middle)) ? fits : too_many) = middle;
+    }
+    write(fits, spacing_deg, map_of(contents, fits));
   }
   for (const Cluster& cluster : contents.clusters.first(written.class_count)) {
     written.area_fraction += cluster.area_fraction;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/scene/ear_clipping.h"
 #include "compiler/render/surface_normal.h"
+#include "compiler/scene/ear_clipping.h"
 
 namespace aspect {
 namespace {

@@ -22,9 +22,7 @@ struct Farthest {
 
   double operator()(const Polygon& polygon) const { return farthest_of(polygon.vertices); }
   double operator()(const Mesh& mesh) const { return farthest_of(mesh.vertices); }
-  double operator()(const SmoothTriangle& triangle) const {
-    return farthest_of(triangle.vertices);
-  }
+  double operator()(const SmoothTriangle& triangle) const { return farthest_of(triangle.vertices); }
   double operator()(const Sphere& sphere) const {
     return (sphere.center - origin).norm() + sphere.radius;
   }

@@ -44,8 +44,11 @@ std::string duration_text(double seconds) {
 std::string progress_text(const std::string& object, int last_level, const Progress& p,
                           std::optional<double> left_s) {
   const std::size_t views_to_come = p.views_wanted - p.views_done;
+  const std::string stage = p.border_round > 0
+                                ? fmt::format("borders {}/{}", p.border_round, p.border_rounds)
+                                : fmt::format("level {}/{}", p.level, last_level);
   std::string text =
-      fmt::format("{} level {}/{}, {} of {} views, {:.1f} % covered", object, p.level, last_level,
+      fmt::format("{} {}, {} of {} views, {:.1f} % covered", object, stage,
                   p.views_of_level - views_to_come, p.views_of_level, 100 * p.area_accepted);
   if (p.clusters > 0)
     text += fmt::format(", {} clusters, writing the index", p.clusters);
@@ -85,7 +88,9 @@ bool ProgressLine::is_due(const Progress& progress, Clock::time_point now) const
   if (now - created_ < quiet_) return false;
   if (!shown_at_) return true;
   if (terminal_) return now - *shown_at_ >= kTerminalPause || progress.clusters > 0;
-  if (progress.level != shown_.level || progress.clusters != shown_.clusters) return true;
+  if (progress.level != shown_.level || progress.border_round != shown_.border_round ||
+      progress.clusters != shown_.clusters)
+    return true;
   return now - *shown_at_ >= std::max<Clock::duration>(kPlainPause, (now - created_) / 20);
 }
 
@@ -102,8 +107,8 @@ void ProgressLine::show(const Progress& progress) {
   if (!on_) return;
   const auto now = Clock::now();
   if (progress.views_total == 0) views_at_ = now;
-  if (progress.matches_wanted > 0 && progress.level != matched_level_) {
-    matched_level_ = progress.level;
+  if (progress.matches_wanted > 0 && progress.level + progress.border_round != matched_level_) {
+    matched_level_ = progress.level + progress.border_round;
     matches_at_ = now;
   }
   if (!is_due(progress, now)) return;

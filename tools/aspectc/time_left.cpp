@@ -8,6 +8,7 @@ std::optional<double> seconds_left(const Progress& progress, int last_level,
   double views_of_level = static_cast<double>(progress.views_of_level);
   for (int level = progress.level; level < last_level; ++level)
     views_to_come += views_of_level *= 2;
+  views_to_come += views_of_level * (progress.border_rounds - progress.border_round);
   double left_s = 0;
   if (views_to_come > 0) {
     if (progress.views_total == 0) return std::nullopt;

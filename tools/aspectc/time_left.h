@@ -4,7 +4,7 @@
 // To come are the views of this level that are not rendered yet, and for every further level twice
 // as many as for the level before: patches are split along the borders between aspects, and a line
 // meets twice as many patches of half the size. Matches of this level are extrapolated from those
-// made since they began.
+// made since they began. A round of bisection takes about as many views as the last level.
 //
 // Weak side: before the first level is matched nobody knows how long its borders are; up to the
 // smallest level every patch is split, and twice that may be far too much for a plain object.

@@ -217,17 +217,16 @@ TEST_CASE("damaged views and mappings in a store are made anew") {
 
 TEST_CASE("a match that a store knows from the other end is turned round") {
   const TemporaryFolder folder;
-  const Bench bench("truck", 3);
+  Bench bench("truck_unique", 3);
+  bench.options.border_views = 0;
   const Subdivision plain = bench.subdivided(nullptr);
-  Store store = Store::open(folder.path() / "truck.store", {"truck", "test"}).value();
+  Store store = Store::open(folder.path() / "truck.store", {"truck_unique", "test"}).value();
   std::size_t telling = 0;
   for (const ObservedView& view : plain.views)
     REQUIRE(store.add_view(view.direction, encode_view(view)).ok());
   for (const auto& [a, b] : matched_pairs(plain)) {
     const GraphMatch back = reversed(*plain.matches.find(a, b));
-    REQUIRE(store
-                .add_match(plain.sphere.position(b), plain.sphere.position(a), back.cost,
-                           encode_mapping(back))
+    REQUIRE(store.add_match(plain.direction(b), plain.direction(a), back.cost, encode_mapping(back))
                 .ok());
     telling += back.mapping != plain.matches.find(a, b)->mapping ? 1U : 0U;
   }

@@ -28,13 +28,13 @@ TEST_CASE("scores are ones, numbers of views, or the area that those stand for")
   const DescribedModel none = described_model("l_shape", 3, Scoring::none);
   const DescribedModel views = described_model("l_shape", 3, Scoring::views);
   const DescribedModel area = described_model("l_shape", 3, Scoring::area);
-  for (std::size_t c = 0; c < none.model.clusters.size(); ++c) {
-    const Cluster& cluster = none.model.clusters[c];
+  for (std::size_t c = 0; c < none.clusters.size(); ++c) {
+    const Cluster& cluster = none.clusters[c];
     for (std::size_t k = 0; k < cluster.contour_count; ++k) {
       for (const auto& [type, score] : none.classes[c].contours[k].score_of_type) CHECK(score == 1);
       CHECK(sum_of_scores(views.classes[c].contours[k]) ==
             Approx(static_cast<double>(cluster.views.size())));
-      CHECK(sum_of_scores(area.classes[c].contours[k]) == Approx(cluster.area_fraction));
+      CHECK(sum_of_scores(area.classes[c].contours[k]) == Approx(cluster.area_assigned));
       CHECK(types_of(none.classes[c].contours[k]) == types_of(views.classes[c].contours[k]));
       CHECK(types_of(none.classes[c].contours[k]) == types_of(area.classes[c].contours[k]));
     }
@@ -45,7 +45,7 @@ TEST_CASE("every contour of every view is of a type that its class knows by its 
   const DescribedModel described = described_model("l_shape", 3);
   const Subdivision& s = described.model.subdivision;
   for (std::size_t c = 0; c < described.classes.size(); ++c) {
-    const Cluster& cluster = described.model.clusters[c];
+    const Cluster& cluster = described.clusters[c];
     CHECK(described.classes[c].view_count == cluster.views.size());
     for (const ClusterView& view : cluster.views) {
       const ObservedView& seen = s.views[place_of(view.vertex)];
@@ -60,9 +60,9 @@ TEST_CASE("every contour of every view is of a type that its class knows by its 
 TEST_CASE("every external contour of every view of a cluster is a sample, and no hole is") {
   const DescribedModel described = described_model("holeblock", 3);
   std::size_t wanted = 0;
-  for (const Cluster& cluster : described.model.clusters)
+  for (const Cluster& cluster : described.clusters)
     wanted += cluster.views.size() * cluster.contour_count;
-  CHECK(contour_samples(described.model.subdivision, described.model.clusters).size() == wanted);
+  CHECK(contour_samples(described.model.subdivision, described.clusters).size() == wanted);
 }
 
 TEST_CASE("no view is farther from a key view than the spacing, and no two key views are nearer") {

@@ -63,14 +63,14 @@ void check_contour(const ClassIndex& index, const ClassContour& read,
 void check_key_view(const DescribedModel& described, std::size_t class_id, const ClassIndex& index,
                     const KeyView& key) {
   const Subdivision& s = described.model.subdivision;
-  const Cluster& cluster = described.model.clusters[class_id];
+  const Cluster& cluster = described.clusters[class_id];
   const Eigen::Vector3f direction(key.direction[0], key.direction[1], key.direction[2]);
   const ClusterView* view = &cluster.views.front();
   for (const ClusterView& other : cluster.views)
-    if ((s.sphere.position(other.vertex) - direction.cast<double>()).norm() <
-        (s.sphere.position(view->vertex) - direction.cast<double>()).norm())
+    if ((s.direction(other.vertex) - direction.cast<double>()).norm() <
+        (s.direction(view->vertex) - direction.cast<double>()).norm())
       view = &other;
-  check_direction(key.direction, s.sphere.position(view->vertex));
+  check_direction(key.direction, s.direction(view->vertex));
   const auto contours = ClassIndex::part(index.key_contours, key.contours);
   REQUIRE(contours.size() == cluster.contour_count);
   const ObservedView& seen = s.views[place_of(view->vertex)];
@@ -86,11 +86,11 @@ void check_key_view(const DescribedModel& described, std::size_t class_id, const
 
 void check_class(const DescribedModel& described, std::size_t class_id, const ClassIndex& index) {
   const AspectClass& read = index.classes[class_id];
-  const Cluster& cluster = described.model.clusters[class_id];
+  const Cluster& cluster = described.clusters[class_id];
   const ClassDescription& written = described.classes[class_id];
   CHECK(read.area_fraction == static_cast<float>(cluster.area_fraction));
   CHECK(read.view_count == cluster.views.size());
-  check_direction(read.view, described.model.subdivision.sphere.position(
+  check_direction(read.view, described.model.subdivision.direction(
                                  cluster.views[written.typical_view].vertex));
   const auto contours = ClassIndex::part(index.class_contours, read.contours);
   REQUIRE(contours.size() == written.contours.size());
@@ -122,8 +122,8 @@ TEST_CASE("what was written is read again, class by class") {
     const WrittenIndex written = write_index(described.contents());
     const Result<ClassIndex> index = parsed(written);
     REQUIRE(index.ok());
-    CHECK(index.value().classes.size() == described.model.clusters.size());
-    CHECK(written.class_count == described.model.clusters.size());
+    CHECK(index.value().classes.size() == described.clusters.size());
+    CHECK(written.class_count == described.clusters.size());
     CHECK(written.key_view_count == index.value().key_views.size());
     CHECK(index.value().types == described.types);
     for (std::size_t c = 0; c < index.value().classes.size(); ++c)
@@ -204,8 +204,8 @@ TEST_CASE("the index maps every leaf of the viewing sphere to its class") {
   const DescribedModel described = described_model("cube", 3);
   const ClassIndex index = parsed(write_index(described.contents())).value();
   const SphereMap map = decode_sphere_map(index.sphere_map, index.classes.size()).value();
-  for (std::size_t c = 0; c < described.model.clusters.size(); ++c) {
-    for (const PatchId patch : described.model.clusters[c].patches) {
+  for (std::size_t c = 0; c < described.clusters.size(); ++c) {
+    for (const PatchId patch : described.clusters[c].patches) {
       Eigen::Vector3d middle(0, 0, 0);
       for (const VertexId corner : described.model.subdivision.sphere.patch(patch).corners)
         middle += described.model.subdivision.sphere.position(corner);
@@ -222,7 +222,7 @@ TEST_CASE("the same contents give the same bytes") {
 TEST_CASE("an index keeps within its budget, by fewer key views first, then fewer classes") {
   DescribedModel described = described_model("l_shape", 3);
   WrittenIndex larger = write_index(described.contents());
-  CHECK(larger.class_count == described.model.clusters.size());
+  CHECK(larger.class_count == described.clusters.size());
   for (const std::size_t kib : {48U, 32U, 16U, 8U, 4U}) {
     described.options.max_index_bytes = kib * 1024;
     const WrittenIndex written = write_index(described.contents());
@@ -235,15 +235,14 @@ TEST_CASE("an index keeps within its budget, by fewer key views first, then fewe
     CHECK(written.key_view_count <= larger.key_view_count);
     CHECK(written.class_count > 0);
     CHECK(written.key_view_count >= written.class_count);
-    if (written.class_count < described.model.clusters.size())
-      CHECK(written.key_view_spacing_deg >= 60);
+    if (written.class_count < described.clusters.size()) CHECK(written.key_view_spacing_deg >= 60);
     const Result<ClassIndex> index = parsed(written);
     REQUIRE(index.ok());
     REQUIRE(index.value().classes.size() == written.class_count);
     double area = 0;
     for (std::size_t c = 0; c < written.class_count; ++c) {
       check_class(described, c, index.value());
-      area += described.model.clusters[c].area_fraction;
+      area += described.clusters[c].area_fraction;
     }
     CHECK(written.area_fraction == Approx(area));
     larger = written;
@@ -256,12 +255,12 @@ TEST_CASE("more surfaces than 16 bits can count are left out, and the index can 
   std::vector<std::uint16_t> many(1000);
   for (std::size_t k = 0; k < many.size(); ++k) many[k] = static_cast<std::uint16_t>(k + 1);
   std::size_t contours = 0;
-  const std::size_t copies = 300 / described.model.clusters.size() + 1;
+  const std::size_t copies = 300 / described.clusters.size() + 1;
   std::vector<Cluster> clusters;
   std::vector<ClassDescription> classes;
   for (std::size_t copy = 0; copy < copies; ++copy) {
-    for (std::size_t c = 0; c < described.model.clusters.size(); ++c) {
-      clusters.push_back(described.model.clusters[c]);
+    for (std::size_t c = 0; c < described.clusters.size(); ++c) {
+      clusters.push_back(described.clusters[c]);
       classes.push_back(described.classes[c]);
       for (ContourDescription& contour : classes.back().contours) contour.surfaces = many;
       contours += classes.back().contours.size();

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/bob_reader.h"
+#include "compiler/scene/ear_clipping.h"
 #include "tests/compiler/render/test_scenes.h"
 
 using namespace aspect;

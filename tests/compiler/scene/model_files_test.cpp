@@ -24,9 +24,10 @@ struct Expected {
 };
 
 constexpr Expected kModels[] = {
-    {"cube", 6, 0, 0, .36},       {"l_shape", 8, 0, 0, .36},   {"dumbbell", 0, 4, 3, .36},
-    {"holeblock", 16, 0, 0, .36}, {"blockcyl1", 6, 1, 1, .36}, {"blockcyl2", 6, 1, 1, .36},
-    {"blockcyl3", 6, 1, 1, .54},  {"pegblock", 6, 1, 1, .36},  {"truck", 65, 12, 6, .36},
+    {"cube", 6, 0, 0, .36},           {"l_shape", 8, 0, 0, .36},   {"dumbbell", 0, 4, 3, .36},
+    {"holeblock", 16, 0, 0, .36},     {"blockcyl1", 6, 1, 1, .36}, {"blockcyl2", 6, 1, 1, .36},
+    {"blockcyl3", 6, 1, 1, .54},      {"pegblock", 6, 1, 1, .36},  {"truck", 65, 12, 6, .36},
+    {"truck_unique", 65, 12, 6, .36},
 };
 
 // The least distance of two r:g:b ratios that segmentation is to tell apart.

@@ -86,9 +86,9 @@ TEST_CASE("along the edges every class holds from its place to the next") {
       nearest = std::min(nearest, std::abs(division.places[i] - place));
     }
     if (place < division.places[0]) k = division.places.size() - 1;
-    if (nearest < 0.01) continue;
+    if (nearest < 0.02) continue;
     const Eigen::Vector3d inside =
-        0.9999 * weights_at(place) + 0.0001 / 3 * Eigen::Vector3d::Ones();
+        (1 - 1e-7) * weights_at(place) + 1e-7 / 3 * Eigen::Vector3d::Ones();
     CHECK(class_at(division, inside) == division.classes[k]);
   }
 }

@@ -29,7 +29,8 @@ std::string small_scene() {
 using Words = std::vector<std::string>;
 
 Words compile_to(int level, const Words& more = {}) {
-  Words words = {"part.b", "--level", std::to_string(level), "--progress", "never"};
+  Words words = {"part.b",     "--level", std::to_string(level), "--border-views", "0",
+                 "--progress", "never"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

@@ -30,6 +30,8 @@ constexpr milliseconds kMayBeLost{1200};
 const std::vector<std::string> kCompile = {ASPECT_SOURCE_DIR "/compiler/models/l_shape.b",
                                            "--level",
                                            "5",
+                                           "--border-views",
+                                           "0",
                                            "-o",
                                            "l.aspect",
                                            "--stats",
