@@ -81,7 +81,7 @@ std::set<std::set<PatchId>> plain_clusters(const CompiledModel& model) {
 // A view on an edge of the patch has another number of contours than the edge's ends.
 bool border_on_edge(const Subdivision& s, const Patch& patch) {
   const auto count = [&](VertexId v) { return s.views[place_of(v)].external_count; };
-  for (std::size_t i = 0; i < s.views.size(); ++i) {
+  for (std::size_t i = 0; i < s.sphere.vertex_count(); ++i) {
     const VertexId vertex = static_cast<VertexId>(i);
     if (count(vertex) == count(patch.corners[0])) continue;
     const Eigen::Vector3d& p = s.sphere.position(vertex);
