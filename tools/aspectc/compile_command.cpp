@@ -66,6 +66,11 @@ void print_summary(const fs::path& file, const CompileStatistics& s) {
   fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n",
              file.native(), s.clusters_in_index, 100 * s.area_assigned_in_index, s.views,
              static_cast<double>(s.index_bytes) / 1024, s.seconds.total);
+  if (s.clusters_in_index < s.clusters)
+    fmt::print(
+        "{}: {} classes were too many for its size; {:.1f} % of the sphere were left out, "
+        "--max-index-kib N keeps more\n",
+        file.native(), s.clusters, 100 * (s.area_assigned - s.area_assigned_in_index));
 }
 
 Result<Done> write_statistics(const std::string& file, const std::vector<CompileStatistics>& all,

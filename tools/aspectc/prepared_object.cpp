@@ -59,14 +59,20 @@ std::variant<PreparedObjects, PreparationError> prepare_objects(const std::files
   return prepared;
 }
 
-Result<Scene> read_prepared_scene(const std::filesystem::path& file) {
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file) {
   auto prepared = prepare_objects(file, {});
   if (const auto* error = std::get_if<PreparationError>(&prepared)) return Error{error->message};
   std::vector<PreparedObject>& objects = std::get<PreparedObjects>(prepared).objects;
   if (objects.size() != 1)
     return Error{fmt::format("{}: has {} objects; give a project or a scene with one",
                              file.native(), objects.size())};
-  return std::move(objects.front().scene);
+  return std::move(objects.front());
+}
+
+Result<Scene> read_prepared_scene(const std::filesystem::path& file) {
+  Result<PreparedObject> object = read_prepared_object(file);
+  if (!object) return Error{object.error()};
+  return std::move(object).value().scene;
 }
 
 }  // namespace aspect

@@ -34,7 +34,8 @@ struct PreparationError {
 std::variant<PreparedObjects, PreparationError> prepare_objects(const std::filesystem::path& file,
                                                                 std::span<const GivenFlag> flags);
 
-// The scene of a scene file or of a project with a single object, for programs that render it.
+// A scene file, or a project with a single object, for programs that render it.
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file);
 Result<Scene> read_prepared_scene(const std::filesystem::path& file);
 
 }  // namespace aspect

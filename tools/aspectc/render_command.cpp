@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "compiler/aspects/observer.h"
 #include "tools/aspectc/prepared_object.h"
-#include "tools/aspectc/sensor_option.h"
 #include "tools/aspectc/whole_file.h"
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/region_draw.h"
@@ -17,6 +17,12 @@ namespace {
 int fail(const std::string& message) {
   fmt::print(stderr, "aspectc: {}\n", message);
   return 1;
+}
+
+// `name` has passed the option's check.
+SensorKind sensor_named(const std::string& name) {
+  const auto* found = std::find(kSensorNames.begin(), kSensorNames.end(), name);
+  return static_cast<SensorKind>(found - kSensorNames.begin());
 }
 
 }  // namespace
@@ -32,22 +38,27 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& command) {
   render->add_flag("--segmented", command.segmented,
                    "what is seen: regions in false colours with contour ids");
   render->add_option("-o,--output", command.output, "picture to write (.png)")->required();
-  add_sensor_option(*render, command.sensor);
+  const std::vector<std::string> sensors(kSensorNames.begin(), kSensorNames.end());
+  render
+      ->add_option("--sensor", command.sensor, "what the picture is of [the project's, or colour]")
+      ->check(CLI::IsMember(sensors));
   return render;
 }
 
 int run_render(const RenderCommand& command) {
-  const Result<Scene> scene = read_prepared_scene(command.scene);
-  if (!scene) return fail(scene.error());
-  const Result<Renderer> renderer = Renderer::create(scene.value());
+  const Result<PreparedObject> object = read_prepared_object(command.scene);
+  if (!object) return fail(object.error());
+  const Scene& scene = object.value().scene;
+  const Result<Renderer> renderer = Renderer::create(scene);
   if (!renderer) return fail(command.scene + ": " + renderer.error());
   const Eigen::Vector3d from(command.from[0], command.from[1], command.from[2]);
   if (!(from.norm() > 0) || !from.allFinite()) {
     fmt::print(stderr, "aspectc: --from needs a direction other than 0,0,0\n");
     return 2;
   }
-  Observer observer(renderer.value(), scene.value().studio,
-                    default_parameters(sensor_named(command.sensor)));
+  Observer observer(renderer.value(), scene.studio,
+                    command.sensor.empty() ? object.value().settings.options.vision
+                                           : default_parameters(sensor_named(command.sensor)));
   observer.observe(from.normalized());
   const Frame& frame = observer.frame();
   const cv::Mat drawn = command.segmented ? draw_regions(observer.regions(), observer.graph(),

@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "runtime/vision/sensor_kind.h"
-
 namespace aspect {
 
 struct RenderCommand {
-  std::string scene, output, sensor = std::string(name_of(SensorKind::colour));
+  std::string scene, output, sensor;  // no sensor: the project's
   std::vector<double> from;
   bool segmented = false;
 };
