@@ -88,6 +88,7 @@ class BorderDivision {
   }
 
   SphereClasses run() {
+    if (subdivision_.edge_views.empty()) return std::move(classes_);
     const Neighbours neighbours = matching_neighbours();
     std::vector<VertexId> added = spread(neighbours);
     const std::size_t uniform_clusters = clusters_.size();

@@ -15,7 +15,7 @@ namespace aspect {
 // uniform patch, at the end and only if they come to small_cluster_fraction. Adds those views,
 // named, to their clusters, and what a cluster gains to its area_assigned. Classes are the places
 // of clusters. Where bisection ended early, what lies between views of different classes more than
-// an eighth of an edge apart is of none.
+// an eighth of an edge apart is of none. Without views on edges nothing is divided.
 SphereClasses divide_borders(const Subdivision& subdivision, const CompileOptions& options,
                              std::vector<Cluster>& clusters);
 
