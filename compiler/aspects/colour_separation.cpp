@@ -8,19 +8,6 @@ namespace {
 
 constexpr int kAnyIntensityStep = 765;
 
-// As the grey sensor weighs colours, ITU-R BT.601, and as the segmentation counts it: r + g + b.
-double grey_intensity(const Eigen::Vector3d& colour) {
-  return 3 * 255 * Eigen::Vector3d(77, 150, 29).dot(colour) / 256;
-}
-
-ColourGap grey_gap(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                   const VisionParameters& vision) {
-  const double first = grey_intensity(a), second = grey_intensity(b);
-  const double step = std::max(vision.intensity_step, 1);
-  if (!(std::min(first, second) > vision.intensity_min)) return {0, step};
-  return {std::abs(first - second), step};
-}
-
 }  // namespace
 
 Eigen::Vector3d colour_seen(const Scene& scene, const Surface& surface) {
@@ -28,16 +15,23 @@ Eigen::Vector3d colour_seen(const Scene& scene, const Surface& surface) {
   return scene.lights.empty() ? ambient : Eigen::Vector3d(ambient + surface.diffuse);
 }
 
+double intensity_seen(const Eigen::Vector3d& colour, const VisionParameters& vision) {
+  if (vision.sensor != SensorKind::grey) return 255 * colour.sum();
+  // As the grey sensor weighs colours, ITU-R BT.601.
+  return 3 * 255 * Eigen::Vector3d(77, 150, 29).dot(colour) / 256;
+}
+
 ColourGap colour_gap(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                      const VisionParameters& vision) {
-  if (vision.sensor == SensorKind::grey) return grey_gap(a, b, vision);
-  const double sum_a = a.sum(), sum_b = b.sum();
-  const double darker = 255 * std::min(sum_a, sum_b);
-  const double step = vision.chroma_step + vision.noise_steps * 255 / std::max(darker, 1.0);
-  if (!(darker > vision.intensity_min)) return {0, step};
-  const ColourGap shares{255 * (a / sum_a - b / sum_b).cwiseAbs().maxCoeff(), step};
-  const ColourGap brightness{255 * std::abs(sum_a - sum_b),
+  const double first = intensity_seen(a, vision), second = intensity_seen(b, vision);
+  const double darker = std::min(first, second);
+  const bool is_seen = darker > vision.intensity_min;
+  const ColourGap brightness{is_seen ? std::abs(first - second) : 0,
                              static_cast<double>(std::max(vision.intensity_step, 1))};
+  if (vision.sensor == SensorKind::grey) return brightness;
+  const double step = vision.chroma_step + vision.noise_steps * 255 / std::max(darker, 1.0);
+  if (!is_seen) return {0, step};
+  const ColourGap shares{255 * (a / a.sum() - b / b.sum()).cwiseAbs().maxCoeff(), step};
   const bool by_brightness =
       vision.intensity_step < kAnyIntensityStep && brightness.separation() > shares.separation();
   return by_brightness ? brightness : shares;

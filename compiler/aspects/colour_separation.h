@@ -12,6 +12,10 @@ namespace aspect {
 // or with lamps.
 Eigen::Vector3d colour_seen(const Scene& scene, const Surface& surface);
 
+// The brightness that the segmentation compares with intensity_min, 0..765: r + g + b of colours,
+// three times the value of a sensor of grey ones.
+double intensity_seen(const Eigen::Vector3d& colour, const VisionParameters& vision);
+
 // The largest difference of a colour share (of 255), or of brightness (r + g + b, of 765) to a
 // sensor of grey values, and the step that the segmentation still takes for one region.
 struct ColourGap {

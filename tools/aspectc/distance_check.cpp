@@ -40,7 +40,7 @@ SmallestContour smallest_contour_at(const Scene& scene, const VisionParameters& 
   std::map<int, double> largest;
   for (const Eigen::Vector3d& direction : examined_directions()) {
     const ObservedView view = observer.observe(direction);
-    note_contours(view, observer.picture(), largest);
+    note_contours(view, observer.picture(), vision.sensor, largest);
   }
   const auto least =
       std::min_element(largest.begin(), largest.end(),

@@ -38,7 +38,7 @@ bool has_colour_of(const ObservedContour& contour, const SurfacePixels& pixels) 
 
 }  // namespace
 
-void note_contours(const ObservedView& view, const Picture& picture,
+void note_contours(const ObservedView& view, const Picture& picture, SensorKind sensor,
                    std::map<int, double>& largest) {
   const std::map<int, SurfacePixels> surfaces = surfaces_of(picture);
   for (const auto& [surface, pixels] : surfaces) largest.try_emplace(surface, 0);
@@ -46,7 +46,7 @@ void note_contours(const ObservedView& view, const Picture& picture,
     for (const auto& [surface, seen] : contour.surfaces) {
       const auto pixels = surfaces.find(surface);
       if (pixels == surfaces.end() || 2 * seen < pixels->second.count) continue;
-      if (!has_colour_of(contour, pixels->second)) continue;
+      if (sensor == SensorKind::colour && !has_colour_of(contour, pixels->second)) continue;
       largest[surface] = std::max(largest[surface], static_cast<double>(contour.area_px));
     }
   }

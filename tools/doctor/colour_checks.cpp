@@ -77,7 +77,7 @@ Finding alike_note(const Sight& sight) {
       note.where.insert(note.where.end(), {pair.first + 1, pair.second + 1});
   }
   note.message =
-      fmt::format("{} pairs of touching surfaces have one colour: each is one contour", note.count);
+      fmt::format("touching surfaces of one colour, each pair one contour: {} pairs", note.count);
   return note;
 }
 
@@ -87,6 +87,10 @@ bool by_colour(const VisionParameters& vision) {
 
 }  // namespace
 
+bool is_background(const Eigen::Vector3d& colour, const VisionParameters& vision) {
+  return intensity_seen(colour, vision) <= vision.intensity_min;
+}
+
 std::string colour_words(const Eigen::Vector3d& colour) {
   const Eigen::Vector3d share = 255 * colour / std::max(colour.sum(), 1e-9);
   return fmt::format("{:.3g} {:.3g} {:.3g} (shares {:.1f} {:.1f} {:.1f})", colour.x(), colour.y(),
@@ -95,7 +99,7 @@ std::string colour_words(const Eigen::Vector3d& colour) {
 
 bool is_inseparable(const ColourGroups::Group& a, const ColourGroups::Group& b,
                     const VisionParameters& vision) {
-  if (255 * std::min(a.seen.sum(), b.seen.sum()) <= vision.intensity_min) return false;
+  if (is_background(a.seen, vision) || is_background(b.seen, vision)) return false;
   return colour_separation(a.seen, b.seen, vision) < 1;
 }
 
@@ -168,8 +172,9 @@ std::vector<Finding> check_darkness(const Scene& scene, const ColourGroups& grou
         {kGroup, "dark_surface", scene.lights.empty() ? Severity::error : Severity::warning,
          fmt::format("{} has r + g + b of {:.0f} at most and counts as background below {}: {:.0f} "
                      "% of it is lost",
-                     colour_words(groups.groups[group].seen), 255 * groups.groups[group].seen.sum(),
-                     vision.intensity_min, 100 * share),
+                     colour_words(groups.groups[group].seen),
+                     intensity_seen(groups.groups[group].seen, vision), vision.intensity_min,
+                     100 * share),
          "brighten the colour or the light, or lower intensity_min", dark,
          primitives_of(groups, group), false});
   }

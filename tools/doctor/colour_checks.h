@@ -22,6 +22,9 @@ std::vector<Finding> check_darkness(const Scene& scene, const ColourGroups& grou
 bool is_inseparable(const ColourGroups::Group& a, const ColourGroups::Group& b,
                     const VisionParameters& vision);
 
+// Too dark to be seen.
+bool is_background(const Eigen::Vector3d& colour, const VisionParameters& vision);
+
 // "0.85 0.1 0.1 (shares 206.4 24.3 24.3)": of 255.
 std::string colour_words(const Eigen::Vector3d& colour);
 

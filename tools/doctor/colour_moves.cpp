@@ -65,7 +65,7 @@ class Separation {
   };
 
   bool is_dark(const ColourGroups::Group& group) const {
-    return 255 * group.seen.sum() <= vision_.intensity_min;
+    return is_background(group.seen, vision_);
   }
 
   std::optional<Pair> worst_pair() const {

@@ -93,7 +93,7 @@ class VerticesAlong {
 
   double at(std::uint32_t vertex) const { return set_.vertices[vertex][axis_]; }
   std::pair<Position, Position> range(const BorderPiece& piece) const {
-    const auto [least, most] = std::minmax(at(piece.from), at(piece.to));
+    const auto [least, most] = std::minmax({at(piece.from), at(piece.to)});
     const auto before = [&](std::uint32_t vertex, double value) { return at(vertex) < value; };
     const Position begin =
         std::lower_bound(vertices_.begin(), vertices_.end(), least - 2 * set_.tolerance, before);

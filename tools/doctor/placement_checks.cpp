@@ -43,7 +43,9 @@ const Unit* likely_unit(double size) {
   return best;
 }
 
-std::string words(const Vector3d& v) {
+// Without the sign of zero.
+std::string words(const Vector3d& with_sign) {
+  const Vector3d v = with_sign.array() + 0.0;
   return fmt::format("{:.4g} {:.4g} {:.4g}", v.x(), v.y(), v.z());
 }
 

@@ -70,7 +70,7 @@ void mend_place(Scene& scene, const WorkingDistance& distance, std::vector<std::
     const SceneExtent extent = scene_extent(scene);
     const Vector3d centre = (extent.least + extent.most) / 2;
     place(scene, {centre, at, 1});
-    done.push_back(fmt::format("centred: moved by {:.4g} {:.4g} {:.4g}", at.x() - centre.x(),
+    done.push_back(fmt::format("centred: moved by {:.4g} {:.4g} {:.4g}", at.x() - centre.x() + 0.0,
                                at.y() - centre.y(), at.z() - centre.z()));
   }
   const std::vector<Finding> left = check_place(scene, distance);

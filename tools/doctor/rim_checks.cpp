@@ -111,8 +111,8 @@ std::vector<Finding> check_rims(const Scene& scene) {
     if (open.where.size() < Finding::kMostPlaces) open.where.push_back(rim.primitive + 1);
   }
   if (open.count == 0) return {};
-  open.message =
-      fmt::format("{} rims of cones and rings are open: the inside can be seen", open.count);
+  open.message = fmt::format(
+      "open rims of cones and rings, through which the inside can be seen: {}", open.count);
   return {open};
 }
 

@@ -47,8 +47,9 @@ class BorderCounter {
     if (!groups_.are_two(one, other)) return;
     const Vector3d colour = colour_at(picture, a), next = colour_at(picture, b);
     Border& border = sight_.borders[std::minmax(one, other)];
+    const double darker = std::min(intensity_seen(colour, vision_), intensity_seen(next, vision_));
+    if (darker <= vision_.intensity_min) return;
     const double separation = colour_separation(colour, next, vision_);
-    if (separation == 0) return;  // dark
     if (border.pixels == 0 || separation < border.least_separation)
       border.least_separation = separation;
     ++border.pixels;
@@ -61,15 +62,20 @@ class BorderCounter {
   Sight& sight_;
 };
 
-void count_pixels(const Picture& picture, int intensity_min, Sight& sight) {
+// Sensors of other things than colours know no darkness.
+bool is_dark(const Picture& picture, std::size_t pixel, const VisionParameters& vision) {
+  if (vision.sensor != SensorKind::colour && vision.sensor != SensorKind::grey) return false;
+  return intensity_seen(colour_at(picture, pixel), vision) < vision.intensity_min;
+}
+
+void count_pixels(const Picture& picture, const VisionParameters& vision, Sight& sight) {
   std::vector<std::size_t> pixels(sight.parts.size(), 0);
   for (std::size_t k = 0; k < picture.surface.size(); ++k) {
     if (picture.surface[k] == 0) continue;
     Sight::Part& part = sight.parts[picture.surface[k] - 1U];
     ++pixels[picture.surface[k] - 1U];
     ++part.seen_px;
-    const std::uint8_t* rgb = picture.rgb.data() + 3 * k;
-    if (rgb[0] + rgb[1] + rgb[2] < intensity_min) ++part.dark_px;
+    if (is_dark(picture, k, vision)) ++part.dark_px;
   }
   for (std::size_t k = 0; k < pixels.size(); ++k)
     sight.parts[k].most_px = std::max(sight.parts[k].most_px, pixels[k]);
@@ -82,7 +88,7 @@ std::map<int, double> contours_with(const Renderer& renderer, const Studio& stud
   std::map<int, double> largest;
   for (const Vector3d& direction : examined_directions()) {
     const ObservedView view = observer.observe(direction);
-    note_contours(view, observer.picture(), largest);
+    note_contours(view, observer.picture(), vision.sensor, largest);
   }
   return largest;
 }
@@ -122,8 +128,8 @@ Sight look_around(const Scene& scene, const Renderer& renderer, const ColourGrou
   std::map<int, double> largest;
   for (const Vector3d& direction : examined_directions()) {
     const ObservedView view = observer.observe(direction);
-    note_contours(view, observer.picture(), largest);
-    count_pixels(observer.picture(), vision.intensity_min, sight);
+    note_contours(view, observer.picture(), vision.sensor, largest);
+    count_pixels(observer.picture(), vision, sight);
     counter.count(observer.picture());
   }
   bool some_lost = false;

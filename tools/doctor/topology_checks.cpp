@@ -45,7 +45,7 @@ Finding leave_out_empty(const FaceSet& set, std::vector<bool>& kept) {
     ++finding.count;
     note_place(finding, set.faces[face].number + 1);
   }
-  finding.message = fmt::format("{} of {} faces have no area", finding.count, set.faces.size());
+  finding.message = fmt::format("faces without area: {} of {}", finding.count, set.faces.size());
   finding.cure = "remove them; --fix does";
   return finding;
 }
@@ -83,24 +83,25 @@ std::vector<Finding> leave_out_repeated(const FaceSet& set, std::vector<bool>& k
     ++finding.count;
     note_place(finding, face.number + 1);
   }
-  same.message = fmt::format("{} faces repeat another one of the same colour", same.count);
+  same.message = fmt::format("faces that repeat another one of the same colour: {}", same.count);
   clash.message = fmt::format(
-      "{} faces lie on another one of another colour: chance decides which is seen", clash.count);
+      "faces that lie on another one of another colour, so that chance decides which is "
+      "seen: {}",
+      clash.count);
   return {same, clash};
 }
 
 Finding cracks_of(const FaceSet& set) {
-  return {
-      kGroup,
-      "cracked_vertices",
-      Severity::warning,
-      fmt::format("{} vertices are less than {:.2g} off another one, of a size of {:.4g}: faces "
-                  "look joined and are not",
-                  set.cracked, 2 * set.tolerance, set.diameter),
-      "merge vertices by distance; --fix does",
-      set.cracked,
-      {},
-      true};
+  return {kGroup,
+          "cracked_vertices",
+          Severity::warning,
+          fmt::format("vertices within {:.2g} of another one, of a size of {:.4g}, so that faces "
+                      "look joined and are not: {}",
+                      set.tolerance, set.diameter, set.cracked),
+          "merge vertices by distance; --fix does",
+          set.cracked,
+          {},
+          true};
 }
 
 std::vector<Finding> edge_findings(const FaceSet& set, const FaceEdges& edges) {
@@ -117,8 +118,9 @@ std::vector<Finding> edge_findings(const FaceSet& set, const FaceEdges& edges) {
     length += (set.vertices[piece.to] - set.vertices[piece.from]).norm();
     note_place(open, set.faces[piece.face].number + 1);
   }
-  open.message = fmt::format("{} open edges, {:.4g} long together: the inside can be seen",
-                             open.count, length);
+  open.message =
+      fmt::format("open edges, through which the inside can be seen: {}, {:.4g} long together",
+                  open.count, length);
   // Parts of a Bob scene are set against each other; only a mesh means to be one surface.
   Finding crowded{
       kGroup,
@@ -129,7 +131,7 @@ std::vector<Finding> edge_findings(const FaceSet& set, const FaceEdges& edges) {
       edges.crowded.size(),
       {},
       false};
-  crowded.message = fmt::format("{} edges belong to more than two faces", crowded.count);
+  crowded.message = fmt::format("edges of more than two faces: {}", crowded.count);
   for (const BorderPiece& piece : edges.crowded)
     note_place(crowded, set.faces[piece.face].number + 1);
   return {open, crowded};
@@ -140,7 +142,7 @@ std::vector<Finding> winding_findings(const FaceSet& set, const FaceWinding& win
       kGroup,
       "flipped_faces",
       Severity::warning,
-      fmt::format("{} faces show another side than their neighbours", winding.flipped_count),
+      fmt::format("faces that show another side than their neighbours: {}", winding.flipped_count),
       "turn them; --fix does. Seen from both sides here, but holes elsewhere",
       winding.flipped_count,
       {},
@@ -148,7 +150,7 @@ std::vector<Finding> winding_findings(const FaceSet& set, const FaceWinding& win
   Finding inverted{kGroup,
                    "inside_out",
                    Severity::warning,
-                   fmt::format("{} closed pieces are wound inside out", winding.inside_out),
+                   fmt::format("closed pieces wound inside out: {}", winding.inside_out),
                    "turn all of their faces; --fix does. Seen from both sides here, but hollow "
                    "elsewhere",
                    winding.inside_out,
@@ -162,7 +164,7 @@ std::vector<Finding> winding_findings(const FaceSet& set, const FaceWinding& win
       kGroup,
       "one_sided",
       Severity::warning,
-      fmt::format("{} pieces have one side only, as a Moebius strip", winding.one_sided),
+      fmt::format("pieces of one side only, as a Moebius strip: {}", winding.one_sided),
       "cut them open where faces meet head to head",
       winding.one_sided,
       {},

@@ -31,6 +31,10 @@ struct Lost {
   }
 };
 
+bool is_dark(const Sight::Part& part) {
+  return 2 * part.dark_px > part.seen_px;
+}
+
 }  // namespace
 
 std::vector<Finding> check_visibility(const Sight& sight, const VisionParameters& vision,
@@ -40,7 +44,7 @@ std::vector<Finding> check_visibility(const Sight& sight, const VisionParameters
     const Sight::Part& part = sight.parts[k];
     if (part.most_px == 0)
       hidden.add(k, 0);
-    else if (part.kept_px > 0 || 2 * part.dark_px > part.seen_px)
+    else if (part.kept_px > 0 || is_dark(part))
       continue;
     else if (part.most_px < static_cast<std::size_t>(vision.area_min_px))
       small.add(k, part.most_px);
@@ -50,25 +54,25 @@ std::vector<Finding> check_visibility(const Sight& sight, const VisionParameters
       merged.add(k, part.most_px);
   }
   std::vector<Finding> findings;
-  small.append({kGroup,
-                "part_too_small",
-                Severity::warning,
-                fmt::format("{} parts show {} pixels at most at distance {:g}, fewer than "
-                            "area_min_px {}",
-                            small.parts.size(), small.pixels(), distance, vision.area_min_px),
-                "colour them like what they are on, take larger pictures, come nearer, or lower "
-                "area_min_px",
-                0,
-                {},
-                false},
-               findings);
+  const std::string where = fmt::format("at distance {:g}", distance);
+  small.append(
+      {kGroup,
+       "part_too_small",
+       Severity::warning,
+       fmt::format("parts that show fewer pixels than area_min_px {} {}: {}, of {} at most",
+                   vision.area_min_px, where, small.parts.size(), small.pixels()),
+       "colour them like what they are on, take larger pictures, come nearer, or lower "
+       "area_min_px",
+       0,
+       {},
+       false},
+      findings);
   thin.append({kGroup,
                "part_too_thin",
                Severity::warning,
-               fmt::format("{} parts of {} pixels at most at distance {:g} are thinner than "
-                           "thickness_min_px {:g} wherever they are seen from",
-                           thin.parts.size(), thin.pixels(), distance,
-                           static_cast<double>(vision.thickness_min_px)),
+               fmt::format("parts thinner than thickness_min_px {:g} {}: {}, of {} pixels at most",
+                           static_cast<double>(vision.thickness_min_px), where, thin.parts.size(),
+                           thin.pixels()),
                "colour them like what they are on, take larger pictures, come nearer, or lower "
                "thickness_min_px",
                0,
@@ -78,23 +82,24 @@ std::vector<Finding> check_visibility(const Sight& sight, const VisionParameters
   merged.append({kGroup,
                  "part_merges",
                  Severity::warning,
-                 fmt::format("{} parts of {} pixels at most at distance {:g} are no contour of "
-                             "their colour: they merge with what is around them",
-                             merged.parts.size(), merged.pixels(), distance),
+                 fmt::format("parts that are no contour of their colour {}, but merge with what is "
+                             "around them: {}, of {} pixels at most",
+                             where, merged.parts.size(), merged.pixels()),
                  "make them larger, or their colour more unlike that around them",
                  0,
                  {},
                  false},
                 findings);
-  hidden.append({kGroup,
-                 "part_hidden",
-                 Severity::note,
-                 fmt::format("{} parts are seen from none of 42 directions", hidden.parts.size()),
-                 "nothing to do; removing them makes rendering quicker",
-                 0,
-                 {},
-                 false},
-                findings);
+  hidden.append(
+      {kGroup,
+       "part_hidden",
+       Severity::note,
+       fmt::format("parts that are seen from none of 42 directions: {}", hidden.parts.size()),
+       "nothing to do; removing them makes rendering quicker",
+       0,
+       {},
+       false},
+      findings);
   return findings;
 }
 
