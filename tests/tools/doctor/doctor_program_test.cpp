@@ -158,7 +158,8 @@ TEST_CASE("files that cannot be read, and outputs that make no sense, are refuse
   check_refused(run({"part.b", "--fix", "out.ply"}), 2, "written as .b alone");
   check_refused(run({"box.ply", "--fix", "none/out.b"}), 1, "none/out.b");
   folder.write("glass.b",
-               "surface { diffuse 1 0 0 transparent .5 .5 .5 }\n"
+               "studio { angle 50 resolution 64 64 ambient 1 1 1 }\nsurface { diffuse 1 0 0 "
+               "transparent .5 .5 .5 }\n"
                "sphere { center 0 0 0 radius .3 }\n");
   check_refused(run({"glass.b", "--fix", "out.b"}), 1, "glass");
   CHECK_FALSE(fs::exists(folder.path() / "out.b"));
