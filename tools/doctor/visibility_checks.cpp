@@ -79,17 +79,18 @@ std::vector<Finding> check_visibility(const Sight& sight, const VisionParameters
                {},
                false},
               findings);
-  merged.append({kGroup,
-                 "part_merges",
-                 Severity::warning,
-                 fmt::format("parts that are no contour of their colour {}, but merge with what is "
-                             "around them: {}, of {} pixels at most",
-                             where, merged.parts.size(), merged.pixels()),
-                 "make them larger, or their colour more unlike that around them",
-                 0,
-                 {},
-                 false},
-                findings);
+  merged.append(
+      {kGroup,
+       "part_merges",
+       Severity::warning,
+       fmt::format("parts that are no contour of their colour {}, but merge with what is "
+                   "around them: {}, of {} pixels at most",
+                   where, merged.parts.size(), merged.pixels()),
+       "make them three pixels thick at least, or their colour more unlike that around them",
+       0,
+       {},
+       false},
+      findings);
   hidden.append(
       {kGroup,
        "part_hidden",
