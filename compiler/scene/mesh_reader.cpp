@@ -29,23 +29,30 @@ std::optional<ColouredMesh> parsed(std::string_view bytes, const std::string& ex
   return std::nullopt;
 }
 
-Result<Scene> scene_from(const std::filesystem::path& file, const MeshColours& colours,
-                         const std::function<ColouredMesh()>& read) {
-  const std::string name = file.string();
+template <typename Value>
+Result<Value> guarded(const std::string& name, const std::function<Result<Value>()>& make) {
   try {
-    Result<Scene> made = scene_of_mesh(read(), colours);
-    if (!made) return Error{fmt::format("{}: {}", name, made.error())};
-    Scene scene = std::move(made).value();
-    scene.name = file.stem().string();
-    scene.file = file.string();
-    for (std::string& warning : scene.warnings) warning = fmt::format("{}: {}", name, warning);
-    return scene;
+    return make();
   } catch (const MeshError& error) {
     if (error.line() == 0) return Error{fmt::format("{}: {}", name, error.what())};
     return Error{fmt::format("{}:{}: {}", name, error.line(), error.what())};
   } catch (const std::bad_alloc&) {
     return Error{fmt::format("{}: needs more memory than there is; simplify the model", name)};
   }
+}
+
+Result<Scene> scene_from(const std::filesystem::path& file, const MeshColours& colours,
+                         const std::function<ColouredMesh()>& read) {
+  const std::string name = file.string();
+  return guarded<Scene>(name, [&]() -> Result<Scene> {
+    Result<Scene> made = scene_of_mesh(read(), colours);
+    if (!made) return Error{fmt::format("{}: {}", name, made.error())};
+    Scene scene = std::move(made).value();
+    scene.name = file.stem().string();
+    scene.file = name;
+    for (std::string& warning : scene.warnings) warning = fmt::format("{}: {}", name, warning);
+    return scene;
+  });
 }
 
 std::string load(const std::filesystem::path& file) {
@@ -59,14 +66,21 @@ std::string load(const std::filesystem::path& file) {
   return std::move(bytes).value();
 }
 
+ColouredMesh read_triangles(const std::filesystem::path& file) {
+  if (std::optional<ColouredMesh> mesh = parsed(load(file), lower_extension(file)))
+    return std::move(*mesh);
+  return read_isolated([&] { return read_with_assimp(file); });
+}
+
 }  // namespace
 
 Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours) {
-  return scene_from(file, colours, [&] {
-    if (std::optional<ColouredMesh> mesh = parsed(load(file), lower_extension(file)))
-      return std::move(*mesh);
-    return read_isolated([&] { return read_with_assimp(file); });
-  });
+  return scene_from(file, colours, [&] { return read_triangles(file); });
+}
+
+Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file) {
+  return guarded<ColouredMesh>(file.string(),
+                               [&]() -> Result<ColouredMesh> { return read_triangles(file); });
 }
 
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "compiler/scene/coloured_mesh.h"
 #include "compiler/scene/mesh_scene.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
@@ -17,7 +18,11 @@ namespace aspect {
 // refused; whatever breaks Assimp breaks a process of its own.
 Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours = {});
 
-// The same from bytes in memory, for formats that this library reads itself: .ply, .off, .stl
+// The triangles of a mesh file as they are, in its coordinates: for those who judge the file.
+// Errors as above.
+Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file);
+
+// A scene from bytes in memory, for formats that this library reads itself: .ply, .off, .stl
 // (binary), .dxf. `name` stands for the file in messages.
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
                          const MeshColours& colours = {});

@@ -7,6 +7,7 @@
 
 #include "tools/aspectc/compile_command.h"
 #include "tools/aspectc/convert_command.h"
+#include "tools/aspectc/doctor_command.h"
 #include "tools/aspectc/explain_command.h"
 #include "tools/aspectc/init_command.h"
 #include "tools/aspectc/inspect_command.h"
@@ -25,7 +26,8 @@ int run_program(int argc, char** argv) {
       "  aspectc init part.b, edit part.toml, aspectc part.toml\n"
       "  aspectc render part.b --from 1,0.5,0.3 --segmented -o view.png\n"
       "  aspectc inspect part.aspect\n  aspectc inspect part.store\n"
-      "  aspectc convert part.obj part.b");
+      "  aspectc convert part.obj part.b\n"
+      "  aspectc doctor part.obj --fix part.b");
   CompileCommand compile_command;
   add_compile_options(app, compile_command);
   InitCommand init_command;
@@ -36,6 +38,8 @@ int run_program(int argc, char** argv) {
   CLI::App* inspect = add_inspect_command(app, inspect_command);
   ConvertCommand convert_command;
   CLI::App* convert = add_convert_command(app, convert_command);
+  DoctorCommand doctor_command;
+  CLI::App* doctor = add_doctor_command(app, doctor_command);
   ExplainCommand explain_command;
   CLI::App* explain = add_explain_command(app, explain_command);
   ModelsInfoCommand models_info_command;
@@ -49,6 +53,7 @@ int run_program(int argc, char** argv) {
   if (render->parsed()) return run_render(render_command);
   if (inspect->parsed()) return run_inspect(inspect_command);
   if (convert->parsed()) return run_convert(convert_command);
+  if (doctor->parsed()) return run_doctor(doctor_command);
   if (explain->parsed()) return run_explain(explain_command);
   if (models_info->parsed()) return run_models_info(models_info_command);
   if (compile_command.scene.empty()) {

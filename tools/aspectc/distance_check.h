@@ -9,6 +9,9 @@
 
 namespace aspect {
 
+// The distance from a point to the farthest of the scene.
+double radius_around(const Scene& scene, const Eigen::Vector3d& centre);
+
 // Largest radius of a sphere around studio.at that lies in the picture from that distance.
 double fitting_radius_at(const Studio& studio, double distance);
 

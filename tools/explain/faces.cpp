@@ -29,11 +29,6 @@ bool is_same(const Plane& a, const Plane& b) {
   return (a.normal - b.normal).norm() < 1e-3 && std::abs(a.offset - b.offset) < 1e-4;
 }
 
-Eigen::Vector3d colour_seen(const Scene& scene, const Surface& surface) {
-  const Eigen::Vector3d ambient = surface.ambient.cwiseProduct(scene.studio.ambient);
-  return scene.lights.empty() ? ambient : Eigen::Vector3d(ambient + surface.diffuse);
-}
-
 }  // namespace
 
 Faces faces_of(const Scene& scene) {
@@ -61,15 +56,6 @@ Faces faces_of(const Scene& scene) {
     faces.face_of[k + 1] = face;
   }
   return faces;
-}
-
-double colour_separation(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                         const VisionParameters& vision) {
-  const double sum_a = a.sum(), sum_b = b.sum();
-  const double darker = 255 * std::min(sum_a, sum_b);
-  if (!(darker > vision.intensity_min)) return 0;
-  const double difference = 255 * (a / sum_a - b / sum_b).cwiseAbs().maxCoeff();
-  return difference / (vision.chroma_step + vision.noise_steps * 255 / darker);
 }
 
 void paint(Scene& scene, const Face& face, const Eigen::Vector3d& colour) {

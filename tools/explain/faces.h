@@ -1,8 +1,8 @@
 // The faces of a scene as people see them.
 #pragma once
 
+#include "compiler/aspects/colour_separation.h"
 #include "compiler/scene/scene.h"
-#include "runtime/vision/vision_parameters.h"
 #include "tools/explain/explanation.h"
 
 namespace aspect {
@@ -14,11 +14,6 @@ struct Faces {
 
 // Polygons of one colour in one plane are a face; every other primitive is one of its own.
 Faces faces_of(const Scene& scene);
-
-// How far two colours are apart, in the steps that the segmentation takes as the border between
-// two regions: the largest difference of a colour share over the step allowed.
-double colour_separation(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                         const VisionParameters& vision);
 
 // The face in another colour, which shows as given where it was seen as `face.colour`.
 void paint(Scene& scene, const Face& face, const Eigen::Vector3d& colour);

@@ -1,0 +1,17 @@
+// aspectc doctor FILE: what is wrong with a model before time is spent on it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace aspect {
+
+struct DoctorCommand {
+  std::string file, fix;
+  bool json = false;
+};
+
+CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command);
+int run_doctor(const DoctorCommand& command);
+
+}  // namespace aspect

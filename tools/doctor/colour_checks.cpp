@@ -1,0 +1,184 @@
+#include "tools/doctor/colour_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/aspects/colour_separation.h"
+
+namespace aspect {
+namespace {
+
+constexpr std::string_view kGroup = "colours";
+constexpr double kSomeMerge = 0.1;  // of a border's pixels; fewer are single ones at its ends
+constexpr std::size_t kLeastBorder_px = 40, kMostPairs = 20;
+constexpr std::size_t kMostCompared = 2000;  // colours, each with each
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+std::vector<std::size_t> primitives_of(const ColourGroups& groups, std::size_t group) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < groups.group_of.size(); ++k)
+    if (groups.group_of[k] == group && found.size() < Finding::kMostPlaces) found.push_back(k + 1);
+  return found;
+}
+
+// Of two colours: the first surface of each.
+std::vector<std::size_t> places_of(const ColourGroups& groups, const Pair& pair) {
+  return {primitives_of(groups, pair.first).front(), primitives_of(groups, pair.second).front()};
+}
+
+Finding inseparable(const ColourGroups& groups, const Pair& pair, const Border& border,
+                    const VisionParameters& vision) {
+  const auto &a = groups.groups[pair.first], &b = groups.groups[pair.second];
+  const ColourGap gap = colour_gap(a.seen, b.seen, vision);
+  return {kGroup,
+          "inseparable_colours",
+          Severity::warning,
+          fmt::format("{} touches {}: they differ by {:.2f}, and a step of {:.2f} counts as one "
+                      "region",
+                      colour_words(a.seen), colour_words(b.seen), gap.difference, gap.step),
+          "move the colours apart, or lower chroma_step or noise_steps; --fix moves them",
+          border.pixels,
+          places_of(groups, pair),
+          true};
+}
+
+Finding merged_in_shade(const ColourGroups& groups, const Pair& pair, const Border& border) {
+  return {
+      kGroup,
+      "merged_by_shading",
+      Severity::warning,
+      fmt::format("{} touches {}: {:.0f} % of their border merges in the lamps' light, where "
+                  "the separation falls to {:.2f}",
+                  colour_words(groups.groups[pair.first].seen),
+                  colour_words(groups.groups[pair.second].seen),
+                  100.0 * static_cast<double>(border.merged) / static_cast<double>(border.pixels),
+                  border.least_separation),
+      "move the colours further apart, or use lamps of one white",
+      border.merged,
+      places_of(groups, pair),
+      false};
+}
+
+Finding alike_note(const Sight& sight) {
+  Finding note{kGroup,
+               "same_colour_touches",
+               Severity::note,
+               "",
+               "nothing to do where they are meant as one; otherwise give one another colour",
+               0,
+               {},
+               false};
+  for (const auto& [pair, pixels] : sight.alike_borders) {
+    if (pixels < kLeastBorder_px) continue;
+    ++note.count;
+    if (note.where.size() + 2 <= Finding::kMostPlaces)
+      note.where.insert(note.where.end(), {pair.first + 1, pair.second + 1});
+  }
+  note.message =
+      fmt::format("touching surfaces of one colour, each pair one contour: {} pairs", note.count);
+  return note;
+}
+
+bool by_colour(const VisionParameters& vision) {
+  return vision.sensor == SensorKind::colour || vision.sensor == SensorKind::grey;
+}
+
+}  // namespace
+
+bool is_background(const Eigen::Vector3d& colour, const VisionParameters& vision) {
+  return intensity_seen(colour, vision) <= vision.intensity_min;
+}
+
+std::string colour_words(const Eigen::Vector3d& colour) {
+  const Eigen::Vector3d share = 255 * colour / std::max(colour.sum(), 1e-9);
+  return fmt::format("{:.3g} {:.3g} {:.3g} (shares {:.1f} {:.1f} {:.1f})", colour.x(), colour.y(),
+                     colour.z(), share.x(), share.y(), share.z());
+}
+
+bool is_inseparable(const ColourGroups::Group& a, const ColourGroups::Group& b,
+                    const VisionParameters& vision) {
+  if (is_background(a.seen, vision) || is_background(b.seen, vision)) return false;
+  return colour_separation(a.seen, b.seen, vision) < 1;
+}
+
+std::vector<Finding> check_colours(const ColourGroups& groups, const VisionParameters& vision) {
+  if (!by_colour(vision)) return {};
+  std::vector<std::size_t> apart;
+  Finding alike{kGroup,
+                "too_many_colours",
+                Severity::warning,
+                "",
+                "use fewer colours, or ones that differ in the ratio of r : g : b and not only in "
+                "brightness",
+                0,
+                {},
+                false};
+  std::string nearest;
+  const std::size_t count = std::min(groups.groups.size(), kMostCompared);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto like = std::find_if(apart.begin(), apart.end(), [&](std::size_t other) {
+      return is_inseparable(groups.groups[k], groups.groups[other], vision);
+    });
+    if (like == apart.end()) {
+      apart.push_back(k);
+      continue;
+    }
+    if (alike.count++ == 0)
+      nearest = fmt::format("{} is like {}", colour_words(groups.groups[k].seen),
+                            colour_words(groups.groups[*like].seen));
+    if (alike.where.size() < Finding::kMostPlaces)
+      alike.where.push_back(primitives_of(groups, k).front());
+  }
+  if (alike.count == 0) return {};
+  alike.message = fmt::format("{} colours, of which {} can be told apart: {}{}", count,
+                              apart.size(), nearest, alike.count > 1 ? ", and so on" : "");
+  return {alike};
+}
+
+std::vector<Finding> check_borders(const Scene& scene, const ColourGroups& groups,
+                                   const Sight& sight, const VisionParameters& vision) {
+  if (!by_colour(vision)) return {};
+  std::vector<Finding> findings;
+  for (const auto& [pair, border] : sight.borders) {
+    if (findings.size() == kMostPairs) break;
+    const auto merged = static_cast<double>(border.merged);
+    if (is_inseparable(groups.groups[pair.first], groups.groups[pair.second], vision))
+      findings.push_back(inseparable(groups, pair, border, vision));
+    else if (!scene.lights.empty() && border.pixels >= kLeastBorder_px &&
+             merged > kSomeMerge * static_cast<double>(border.pixels))
+      findings.push_back(merged_in_shade(groups, pair, border));
+  }
+  if (Finding note = alike_note(sight); note.count > 0) findings.push_back(std::move(note));
+  return findings;
+}
+
+std::vector<Finding> check_darkness(const Scene& scene, const ColourGroups& groups,
+                                    const Sight& sight, const VisionParameters& vision) {
+  if (!by_colour(vision)) return {};
+  std::vector<Finding> findings;
+  for (std::size_t group = 0; group < groups.groups.size() && findings.size() < kMostPairs;
+       ++group) {
+    std::size_t seen = 0, dark = 0;
+    for (std::size_t k = 0; k < sight.parts.size(); ++k) {
+      if (groups.group_of[k] != group) continue;
+      seen += sight.parts[k].seen_px;
+      dark += sight.parts[k].dark_px;
+    }
+    if (2 * dark <= seen) continue;
+    const auto share = static_cast<double>(dark) / static_cast<double>(seen);
+    findings.push_back(
+        {kGroup, "dark_surface", scene.lights.empty() ? Severity::error : Severity::warning,
+         fmt::format("{} has r + g + b of {:.0f} at most and counts as background below {}: {:.0f} "
+                     "% of it is lost",
+                     colour_words(groups.groups[group].seen),
+                     intensity_seen(groups.groups[group].seen, vision), vision.intensity_min,
+                     100 * share),
+         "brighten the colour or the light, or lower intensity_min", dark,
+         primitives_of(groups, group), false});
+  }
+  return findings;
+}
+
+}  // namespace aspect

@@ -1,0 +1,31 @@
+// The doctor's words, for people and for scripts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/doctor/diagnosis.h"
+#include "tools/doctor/repair.h"
+
+namespace aspect {
+
+struct FixReport {
+  std::string output;
+  std::vector<std::string> done;
+  std::vector<ColourMove> moves;
+  Diagnosis left;  // of what was written, read again
+};
+
+struct DoctorReport {
+  std::string file;
+  std::vector<Diagnosis> objects;
+  std::optional<FixReport> fix;
+
+  bool is_healthy() const;
+};
+
+std::string report_text(const DoctorReport& report);
+std::string report_json(const DoctorReport& report);
+
+}  // namespace aspect
