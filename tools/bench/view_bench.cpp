@@ -3,6 +3,7 @@
 // times of the three benchmarks of an object add up.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -42,7 +43,8 @@ struct Sphere {
   }
 
   void add_pair(VertexId a, VertexId b, std::unordered_set<std::uint64_t>& met) {
-    const auto [low, high] = std::minmax(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    const auto low = static_cast<std::size_t>(std::min(a, b));
+    const auto high = static_cast<std::size_t>(std::max(a, b));
     const std::vector<ObservedView>& views = subdivision.views;
     if (views[low].external_count == 0 || views[low].external_count != views[high].external_count)
       return;
