@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -20,6 +21,13 @@ Value checked(Result<Value> result) {
     std::exit(1);
   }
   return std::move(result).value();
+}
+
+// Of this thread: what other programs take of a shared machine does not count.
+inline double cpu_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 inline std::filesystem::path source_path(const char* below) {

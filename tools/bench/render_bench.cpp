@@ -2,7 +2,6 @@
 // all pixels of a view, and the rays alone that the tile map leaves over.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -18,12 +17,6 @@
 
 namespace aspect {
 namespace {
-
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 template <typename Work>
 double cpu_s_of(const Work& work) {
