@@ -56,10 +56,13 @@ def block_head(title, command):
             f"load {load:.1f} at the start, commit {commit or 'unknown'}\n")
 
 
-def put_on_top(block):
-    """Newest first: before the first block of RESULTS.md."""
+def results_text():
     with open(RESULTS) as file:
-        text = file.read()
+        return file.read()
+
+
+def put_on_top(block, text):
+    """Newest first: RESULTS.md becomes `text` with the block before its first one."""
     at = text.index("\n## ") + 1
     with open(RESULTS, "w") as file:
         file.write(text[:at] + block.rstrip("\n") + "\n\n" + text[at:])

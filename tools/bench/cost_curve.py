@@ -3,7 +3,8 @@ import math
 import os
 import sys
 
-from compile_run import OUT, ROOT, block_head, compile_scene, markdown_table, put_on_top
+from compile_run import (OUT, ROOT, block_head, compile_scene, markdown_table, put_on_top,
+                         results_text)
 
 HIGHEST = {"CUBE": 8, "BLOCKCYL2": 8, "TRUCK": 7}
 LOWEST = 3
@@ -88,7 +89,7 @@ def main(wanted):
         file.write(svg(curves))
     block += f"\nThe command draws the curve into `{OUT}/cost_curve.svg`.\n"
     print(block)
-    put_on_top(block)
+    put_on_top(block, results_text())
 
 
 main(sys.argv[1:])

@@ -3,7 +3,8 @@ import csv
 import os
 import sys
 
-from compile_run import (OUT, ROOT, block_head, compile_scene, markdown_table, put_on_top)
+from compile_run import (OUT, ROOT, block_head, compile_scene, markdown_table, put_on_top,
+                         results_text)
 
 THESIS = os.environ.get("ASPECT_SHARED", "../shared") + "/thesis"
 ALL = ["CUBE:7", "DUMBBELL:6", "L_SHAPE:6", "BLOCKCYL1:6", "BLOCKCYL2:6", "BLOCKCYL3:6",
@@ -98,17 +99,29 @@ DIVIDED_HEAD = ["object", "level", "uniform area", "assigned area", "clusters", 
                 "store: CPU s", "s with it", "MiB at most", "file MiB"]
 
 
+STAGES_HEAD = ["object", "level", "views rendered", *STAGES]
+
+
 def stage_row(name, level, run):
     return [name, level, run["views_rendered"],
             *(f"{run['seconds'][stage]:.2f}" for stage in STAGES)]
 
 
+def block_of(head, by_thesis, divided, stages):
+    return (f"{head}\nAs the thesis does it, without patches divided along borders"
+            f" (`--border-views 0`):\n\n{markdown_table(THESIS_HEAD, by_thesis)}"
+            "\nBy default, with them; and what a store adds:\n\n"
+            f"{markdown_table(DIVIDED_HEAD, divided)}"
+            "\nSeconds of these by stage; of render, features and match summed over threads:\n\n"
+            f"{markdown_table(STAGES_HEAD, stages)}")
+
+
 def main(wanted):
     os.chdir(ROOT)
-    tables = ThesisTables()
-    block = block_head("The thesis's tables", " ".join(["tools/bench/thesis_tables.sh", *wanted]))
+    tables, text = ThesisTables(), results_text()
+    head = block_head("The thesis's tables", " ".join(["tools/bench/thesis_tables.sh", *wanted]))
     if not tables.is_there:
-        block += "\nThe thesis's columns are empty: ../shared/thesis is not here.\n"
+        head += "\nThe thesis's columns are empty: ../shared/thesis is not here.\n"
     by_thesis, divided, stages = [], [], []
     for item in wanted or ALL:
         name, level = item.split(":")
@@ -116,14 +129,10 @@ def main(wanted):
         by_thesis.append(thesis_row(name, int(level), plain, tables))
         divided.append(divided_row(name, int(level), whole, stored))
         stages.append(stage_row(name, int(level), whole))
-    block += ("\nAs the thesis does it, without patches divided along borders"
-              " (`--border-views 0`):\n\n" + markdown_table(THESIS_HEAD, by_thesis))
-    block += ("\nBy default, with them; and what a store adds:\n\n"
-              + markdown_table(DIVIDED_HEAD, divided))
-    block += ("\nSeconds of these by stage; of render, features and match summed over threads:\n\n"
-              + markdown_table(["object", "level", "views rendered", *STAGES], stages))
+        # After every object, so that a run that is stopped leaves what it has.
+        block = block_of(head, by_thesis, divided, stages)
+        put_on_top(block, text)
     print(block)
-    put_on_top(block)
 
 
 main(sys.argv[1:])
