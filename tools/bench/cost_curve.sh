@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the compiler, compiles objects from level 3 up, and puts what it costs by the number of
-# views at the top of RESULTS.md; the curve is drawn into build/bench/cost_curve.svg.
+# views (without those along borders) at the top of RESULTS.md; the curve itself is drawn into
+# build/bench/cost_curve.svg.
 # usage: tools/bench/cost_curve.sh [OBJECT:HIGHEST_LEVEL ...]   [CUBE:8 BLOCKCYL2:8 TRUCK:7]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
