@@ -28,6 +28,7 @@ class Observer {
   const Frame& frame() const { return frame_; }
   const ViewGraph& graph() const { return graph_; }
   const RegionMap& regions() const { return vision_.regions(); }
+  const VisionTimes& vision_times() const { return vision_.times(); }
 
   std::chrono::nanoseconds render_time() const { return render_time_; }  // of all views so far
   std::chrono::nanoseconds feature_time() const { return feature_time_; }

@@ -4,10 +4,7 @@
 // usage: aspect-bench [--benchmark_filter=...]
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
@@ -20,22 +17,13 @@
 #include "compiler/scene/bob_reader.h"
 #include "runtime/base/planned_memory.h"
 #include "runtime/recognition/recogniser.h"
+#include "tools/bench/bench_inputs.h"
 
 namespace aspect {
 namespace {
 
-const std::filesystem::path kData =
-    std::filesystem::path(ASPECT_SOURCE_DIR) / "tests/data/rendered";
+const std::filesystem::path kData = source_path("tests/data/rendered");
 constexpr int kIndexLevel = 5;
-
-template <typename Value>
-Value checked(Result<Value> result) {
-  if (!result) {
-    std::fprintf(stderr, "aspect-bench: %s\n", result.error().c_str());
-    std::exit(1);
-  }
-  return std::move(result).value();
-}
 
 std::vector<cv::Mat> load_frames() {
   std::vector<std::filesystem::path> files;
@@ -101,17 +89,6 @@ void recognise_with_five_indexes(benchmark::State& state) {
         recogniser.recognise(frame_of(frames[next++ % frames.size()])).objects.size());
 }
 BENCHMARK(recognise_with_five_indexes)->Unit(benchmark::kMillisecond);
-
-// A hundred directions, evenly spread by the golden angle.
-std::vector<Eigen::Vector3d> directions() {
-  std::vector<Eigen::Vector3d> spread;
-  for (int i = 0; i < 100; ++i) {
-    const double z = (2 * i + 1) / 100.0 - 1, angle = 2.399963229728653 * i;
-    const double radius = std::sqrt(1 - z * z);
-    spread.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-  }
-  return spread;
-}
 
 void render_cube(benchmark::State& state) {
   const Scene scene = checked(read_bob(kData / "cube.b"));
