@@ -13,34 +13,36 @@ struct RegionPoints {
   std::map<std::uint16_t, std::uint32_t> surfaces;
 };
 
+// Pixels of one run that show the same surface: sums of whole numbers and depths, brought to camera
+// coordinates once.
+void add_stretch(int begin, int end, const float* depths, double slope_y, const Intrinsics& camera,
+                 RegionPoints& points) {
+  double depth_sum = 0, column_sum = 0;
+  const bool orthogonal = camera.projection == Projection::kOrthogonal;
+  for (int x = begin; x < end; ++x) {
+    const auto depth = static_cast<double>(depths[x]);
+    depth_sum += depth;
+    column_sum += (x - camera.cx_px) * (orthogonal ? 1 : depth);
+  }
+  const double pixels = end - begin;
+  points.x += column_sum / camera.fx_px;
+  points.y += slope_y * (orthogonal ? pixels : depth_sum);
+  points.z += depth_sum;
+  points.pixels += pixels;
+}
+
 void add_run(const Run& run, const Picture& picture, const Intrinsics& camera,
              RegionPoints& points) {
   const std::size_t row =
       static_cast<std::size_t>(run.row) * static_cast<std::size_t>(picture.width_px);
+  const std::uint16_t* surfaces = picture.surface.data() + row;
   const double slope_y = (run.row - camera.cy_px) / camera.fy_px;
-  const bool orthogonal = camera.projection == Projection::kOrthogonal;
-  std::uint16_t surface = 0;
-  std::uint32_t length = 0;
-  const auto count_surface = [&] {
-    if (length > 0 && surface != 0) points.surfaces[surface] += length;
-    length = 0;
-  };
-  for (int x = run.begin; x < run.end; ++x) {
-    const std::size_t i = row + static_cast<std::size_t>(x);
-    if (picture.surface[i] != surface) {
-      count_surface();
-      surface = picture.surface[i];
-    }
-    ++length;
-    if (surface == 0) continue;
-    const auto depth = static_cast<double>(picture.depth[i]);
-    const double spread = orthogonal ? 1 : depth;
-    points.x += (x - camera.cx_px) / camera.fx_px * spread;
-    points.y += slope_y * spread;
-    points.z += depth;
-    points.pixels += 1;
+  for (int begin = run.begin, end = begin; begin < run.end; begin = end) {
+    while (end < run.end && surfaces[end] == surfaces[begin]) ++end;
+    if (surfaces[begin] == 0) continue;
+    points.surfaces[surfaces[begin]] += static_cast<std::uint32_t>(end - begin);
+    add_stretch(begin, end, picture.depth.data() + row, slope_y, camera, points);
   }
-  count_surface();
 }
 
 }  // namespace

@@ -68,9 +68,10 @@ void print_summary(const fs::path& file, const CompileStatistics& s) {
              static_cast<double>(s.index_bytes) / 1024, s.seconds.total);
   if (s.clusters_in_index < s.clusters)
     fmt::print(
-        "{}: {} classes were too many for its size; {:.1f} % of the sphere were left out, "
-        "--max-index-kib N keeps more\n",
-        file.native(), s.clusters, 100 * (s.area_assigned - s.area_assigned_in_index));
+        "{}: {} of {} classes, {:.1f} % of the sphere, did not fit in; --max-index-kib N "
+        "keeps more\n",
+        file.native(), s.clusters - s.clusters_in_index, s.clusters,
+        100 * (s.area_assigned - s.area_assigned_in_index));
 }
 
 Result<Done> write_statistics(const std::string& file, const std::vector<CompileStatistics>& all,

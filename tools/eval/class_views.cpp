@@ -47,6 +47,11 @@ std::int32_t ClassViews::at(const Eigen::Vector3d& direction) const {
   return map_.at(direction);
 }
 
+std::int32_t ClassViews::right(const Eigen::Vector3d& direction) const {
+  const std::int32_t inside = at(direction);
+  return inside == kNoClass ? nearest(direction) : inside;
+}
+
 Eigen::Vector3d ClassViews::patch_centre(std::int32_t class_id,
                                          const Eigen::Vector3d& direction) const {
   double best = -std::numeric_limits<double>::infinity();
@@ -70,9 +75,7 @@ ClassSymmetry::ClassSymmetry(const ClassIndex& index, const ClassViews& views,
         static_cast<std::int32_t>(c), Eigen::Vector3f(v[0], v[1], v[2]).cast<double>());
     for (const Eigen::Matrix3d& rotation : rotations) {
       const Eigen::Vector3d turned = rotation * typical;
-      const std::int32_t inside = views.at(turned);
-      const auto other =
-          static_cast<std::size_t>(inside == kNoClass ? views.nearest(turned) : inside);
+      const auto other = static_cast<std::size_t>(views.right(turned));
       same_[c * class_count_ + other] = same_[other * class_count_ + c] = true;
     }
   }

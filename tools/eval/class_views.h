@@ -21,8 +21,11 @@ class ClassViews {
   // of its patches. Where that view belongs to several, the one of them whose patch has the nearest
   // centre. O(patches).
   std::int32_t nearest(const Eigen::Vector3d& direction) const;
-  // The class whose patch the direction lies in, or kNoClass. O(level).
+  // The class whose patch or piece the direction lies in, or kNoClass. O(level).
   std::int32_t at(const Eigen::Vector3d& direction) const;
+  // The class that a view from there is of: that of the patch or piece of a patch that it lies in,
+  // or where the map has none, the nearest.
+  std::int32_t right(const Eigen::Vector3d& direction) const;
   // The centre of the class's patch that is nearest to the direction; a class whose patches are not
   // on the map gives the direction itself. O(patches).
   Eigen::Vector3d patch_centre(std::int32_t class_id, const Eigen::Vector3d& direction) const;

@@ -57,7 +57,7 @@ ViewOutcome judge(const EvaluatedObject& object, const ClassSymmetry& symmetry,
                   const Eigen::Vector3d& direction, const Recognition& recognition) {
   ViewOutcome outcome;
   outcome.direction = direction;
-  outcome.right_class = object.views.nearest(direction);
+  outcome.right_class = object.views.right(direction);
   outcome.elapsed_ms = milliseconds(recognition.elapsed);
   const auto hypotheses = hypotheses_of(recognition);
   const std::int32_t right = outcome.right_class;
