@@ -61,9 +61,9 @@ Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
   if (!subdivision) return subdivision;
   if (Result<Done> noted = keep_recipe(store.value(), scene, options); !noted)
     return Error{noted.error()};
-  const Result<Done> kept = store.value().add_finished_run(
-      {options.level, options.min_level, options.threshold,
-       subdivision.value().sphere.vertex_count()});
+  const Result<Done> kept =
+      store.value().add_finished_run({options.level, options.min_level, options.threshold,
+                                      subdivision.value().sphere.vertex_count()});
   if (!kept) return Error{kept.error()};
   return subdivision;
 }
