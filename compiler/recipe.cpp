@@ -166,8 +166,10 @@ Result<Recipe> read_recipe(const std::filesystem::path& path, const std::optiona
   const Result<Scene> scene = given ? Result<Scene>(*given) : kept_scene(store.value(), hash);
   if (!scene) return Error{path.string() + ": its scene cannot be read again: " + scene.error()};
   if (hash_text(scene.value()) != hash)
-    return Error{fmt::format("{}: was made from another scene than {} holds now; compile it again",
-                             path.string(), scene.value().file)};
+    return Error{fmt::format(
+        "{}: was made from another scene than {} holds now, or with a project's settings; name the "
+        "project or compile it again",
+        path.string(), scene.value().file)};
   return Recipe{scene.value(), options.value()};
 }
 

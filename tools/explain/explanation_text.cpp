@@ -64,10 +64,12 @@ void add_symmetries(const Explanation& e, std::string& text) {
 }
 
 void add_spots(const std::vector<Spot>& spots, const char* what, std::string& text) {
+  constexpr double kLeastListed = 0.0005;  // rounds to 0.1 %
   for (const Spot& spot : spots)
-    text += fmt::format("  {:.1f} % {}, {:.0f} degrees about {}{}{}\n", 100 * spot.share, what,
-                        spot.radius_deg, place(spot.centre), spot.reason.empty() ? "" : ": ",
-                        spot.reason);
+    if (spot.share >= kLeastListed)
+      text += fmt::format("  {:.1f} % {}, {:.0f} degrees about {}{}{}\n", 100 * spot.share, what,
+                          spot.radius_deg, place(spot.centre), spot.reason.empty() ? "" : ": ",
+                          spot.reason);
 }
 
 void add_confusions(const Explanation& e, std::string& text) {
