@@ -29,7 +29,7 @@ constexpr milliseconds kMayBeLost{1200};
 
 const std::vector<std::string> kCompile = {ASPECT_SOURCE_DIR "/compiler/models/l_shape.b",
                                            "--level",
-                                           "5",
+                                           "6",
                                            "--border-views",
                                            "0",
                                            "-o",

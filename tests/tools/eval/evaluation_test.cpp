@@ -50,7 +50,7 @@ TEST_CASE("The experiment tells of every view, and its sums are of these") {
   REQUIRE(evaluation.outcomes.size() == 60);
   int first = 0, first_with_symmetry = 0, within_20 = 0;
   for (const ViewOutcome& outcome : evaluation.outcomes) {
-    CHECK(outcome.right_class == object.views.nearest(outcome.direction));
+    CHECK(outcome.right_class == object.views.right(outcome.direction));
     CHECK(outcome.rank >= 0);
     CHECK(outcome.rank <= kMaxHypotheses);
     // Whoever is right without the symmetry is so with it.
