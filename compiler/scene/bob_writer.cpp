@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "compiler/scene/bob_parser.h"
@@ -29,9 +30,7 @@ class BobWriter {
  public:
   std::string write(const Scene& scene) {
     studio(scene.studio);
-    for (const Light& light : scene.lights)
-      append("light {{ type point position {} color {}{} }}\n", words(light.position),
-             words(light.color), light.casts_shadows ? "" : " no_shadows");
+    for (const Light& light : scene.lights) add(light);
     const Surface* last = nullptr;
     for (const Primitive& primitive : scene.primitives) {
       const Surface* used = &scene.surfaces[static_cast<std::size_t>(primitive.surface)];
@@ -54,13 +53,47 @@ class BobWriter {
     append("studio {{\n  at {}\n  up {}\n  angle {:.17g}\n  resolution {} {}\n  aspect {:.17g}\n",
            words(studio.at), words(studio.up), studio.angle_deg, studio.width_px, studio.height_px,
            studio.aspect);
-    append("  ambient {}\n  background {}\n}}\n", words(studio.ambient), words(studio.background));
+    append("  ambient {}\n  background {}\n", words(studio.ambient), words(studio.background));
+    const Studio plain;
+    if (studio.projection == Projection::kOrthogonal)
+      append("  project orthogonal {:.17g}\n", studio.width);
+    constexpr std::array kAntialias = {"none", "quick", "corners", "adaptive"};
+    append("  antialias {} threshold {:.17g}{}\n",
+           kAntialias[static_cast<std::size_t>(studio.antialias)], studio.threshold,
+           studio.jitter ? " jitter" : "");
+    if (studio.samples != plain.samples) append("  samples {}\n", studio.samples);
+    append("  depth {} haze {:.17g} aperture {:.17g}\n", studio.depth, studio.haze,
+           studio.aperture);
+    if (studio.focal_length > 0) append("  focal_length {:.17g}\n", studio.focal_length);
+    append("{}}}\n", studio.exponential_transparency ? "" : "  no_exp_trans\n");
+  }
+
+  void add(const Light& light) {
+    constexpr std::array kTypes = {"point", "directional", "spherical"};
+    append("light {{ type {} color {}{}", kTypes[static_cast<std::size_t>(light.type)],
+           words(light.color), light.casts_shadows ? "" : " no_shadows");
+    if (light.type == Light::Type::kDirectional)
+      append(" direction {}", words(light.direction));
+    else
+      append(" position {} falloff {}", words(light.position), light.falloff);
+    if (light.type == Light::Type::kSpherical)
+      append(" radius {:.17g} samples {}", light.radius, light.samples);
+    if (light.spot)
+      append(" at {} min_angle {:.17g} max_angle {:.17g}", words(light.spot->at),
+             light.spot->min_angle_deg, light.spot->max_angle_deg);
+    append(" }}\n");
   }
 
   void surface(const Surface& surface) {
     append("surface {{ diffuse {}", words(surface.diffuse));
     if (surface.ambient != surface.diffuse) append(" ambient {}", words(surface.ambient));
-    append(" }}\n");
+    if (!surface.specular.isZero(0)) append(" specular {}", words(surface.specular));
+    if (!surface.transparent.isZero(0))
+      append(" transparent {} ior {:.17g}", words(surface.transparent), surface.ior);
+    if (surface.shine > 0) append(" shine {:.17g} {}", surface.shine, words(surface.shine_color));
+    if (surface.fuzz > 0) append(" fuzz {:.17g}", surface.fuzz);
+    append("{}{} }}\n", surface.antialias ? "" : " no_antialias",
+           surface.casts_shadow ? "" : " no_shadow");
   }
 
   void add(const Polygon& polygon) {
@@ -103,6 +136,11 @@ class BobWriter {
 }  // namespace
 
 Result<std::string> write_bob(const Scene& scene) {
+  for (const Surface& surface : scene.surfaces)
+    if (surface.texture)
+      return Error{scene.name +
+                   ": has textures, which are not written; use the scene itself, or give its "
+                   "surfaces plain colours"};
   BobWriter writer;
   std::string text = writer.write(scene);
   if (writer.primitives() > BobParser::kMaxPrimitives)

@@ -81,9 +81,6 @@ Result<PreparedObject> written_object(const PreparedObject& object, const std::s
 
 Result<std::string> text_of(const Repair& repaired, const DoctorCommand& command) {
   if (lower_extension(command.fix) == ".ply") return ply_text(*repaired.mesh);
-  if (const std::string lost = lost_when_written(repaired.scene); !lost.empty())
-    return Error{fmt::format("{}: {} would be lost in {}; mend the scene by hand", command.file,
-                             lost, command.fix)};
   return write_bob(repaired.scene);
 }
 

@@ -161,20 +161,6 @@ Result<Repair> repair(const PreparedObject& object) {
   return repaired;
 }
 
-std::string lost_when_written(const Scene& scene) {
-  for (const Surface& surface : scene.surfaces) {
-    if (surface.texture != nullptr) return "textures";
-    if (!surface.specular.isZero() || !surface.transparent.isZero() || surface.shine != 0)
-      return "mirrors, glass and highlights";
-  }
-  for (const Light& light : scene.lights)
-    if (light.type != Light::Type::kPoint || light.falloff != 0 || light.spot)
-      return "lamps other than plain points";
-  if (scene.studio.projection != Projection::kPerspective) return "the orthogonal projection";
-  if (scene.studio.antialias != Antialias::kNone) return "antialiasing";
-  return {};
-}
-
 std::string ply_text(const ColouredMesh& mesh) {
   std::string text = fmt::format(
       "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"

@@ -27,9 +27,6 @@ Result<Repair> repair(const PreparedObject& object);
 // The mesh without its faults.
 ColouredMesh repaired_mesh(const ColouredMesh& mesh, const FaceSet& set, const Topology& topology);
 
-// What of the scene a Bob scene written here would lose, in words; empty: nothing.
-std::string lost_when_written(const Scene& scene);
-
 // Text PLY with a colour a face.
 std::string ply_text(const ColouredMesh& mesh);
 

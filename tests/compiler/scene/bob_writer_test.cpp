@@ -130,6 +130,76 @@ TEST_CASE("a random scene that is written and read is the same to the last digit
   }
 }
 
+TEST_CASE("mirrors, glass, lamps of all kinds and the studio's settings are written too") {
+  Scene scene;
+  Surface glass{{.1, .2, .3}, {.3, .2, .1}, {.5, .4, .3}, {.6, .7, .8}, 1.5, 20, {.9, .8, .7}, .1};
+  glass.antialias = glass.casts_shadow = false;
+  scene.surfaces = {glass};
+  scene.primitives.push_back({SmoothTriangle{{Vector3d{0, 0, 0}, {.1, 0, 0}, {0, .1, 0}},
+                                             {Vector3d{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}}});
+  scene.lights.resize(3);
+  scene.lights[0] = {{1, 2, 3}, {.5, .5, .5}, false};
+  scene.lights[0].falloff = 2;
+  scene.lights[0].spot = Light::Spot{{.1, .2, .3}, 10, 30};
+  scene.lights[1].type = Light::Type::kDirectional;
+  scene.lights[1].direction = {0, 1, 0};
+  scene.lights[2].type = Light::Type::kSpherical;
+  scene.lights[2].position = {2, 2, 2};
+  scene.lights[2].radius = .3;
+  scene.lights[2].samples = 25;
+  scene.studio.projection = Projection::kOrthogonal;
+  scene.studio.width = 1.25;
+  scene.studio.antialias = Antialias::kAdaptive;
+  scene.studio.threshold = 7;
+  scene.studio.samples = 9;
+  scene.studio.jitter = true;
+  scene.studio.depth = 6;
+  scene.studio.haze = .25;
+  scene.studio.aperture = .05;
+  scene.studio.focal_length = .9;
+  scene.studio.exponential_transparency = false;
+  const Scene back = read_back(scene);
+  const Surface& surface = back.surfaces.at(static_cast<std::size_t>(back.primitives[0].surface));
+  CHECK(surface.specular == glass.specular);
+  CHECK(surface.transparent == glass.transparent);
+  CHECK(surface.ior == glass.ior);
+  CHECK(surface.shine == glass.shine);
+  CHECK(surface.shine_color == glass.shine_color);
+  CHECK(surface.fuzz == glass.fuzz);
+  CHECK_FALSE((surface.antialias || surface.casts_shadow));
+  CHECK(std::get<SmoothTriangle>(back.primitives[0].shape).normals[1] == Vector3d(0, 1, 0));
+  REQUIRE(back.lights.size() == 3);
+  CHECK(back.lights[0].falloff == 2);
+  REQUIRE(back.lights[0].spot);
+  CHECK(back.lights[0].spot->at == scene.lights[0].spot->at);
+  CHECK(back.lights[0].spot->max_angle_deg == 30);
+  CHECK(back.lights[1].type == Light::Type::kDirectional);
+  CHECK(back.lights[1].direction == scene.lights[1].direction);
+  CHECK(back.lights[2].type == Light::Type::kSpherical);
+  CHECK(back.lights[2].radius == .3);
+  CHECK(back.lights[2].samples == 25);
+  const Studio &was = scene.studio, &is = back.studio;
+  CHECK(is.projection == was.projection);
+  CHECK(is.width == was.width);
+  CHECK(is.antialias == was.antialias);
+  CHECK(is.threshold == was.threshold);
+  CHECK(is.samples == was.samples);
+  CHECK(is.jitter);
+  CHECK(is.depth == was.depth);
+  CHECK(is.haze == was.haze);
+  CHECK(is.aperture == was.aperture);
+  CHECK(is.focal_length == was.focal_length);
+  CHECK_FALSE(is.exponential_transparency);
+}
+
+TEST_CASE("a scene with textures is refused in one line") {
+  Scene scene;
+  scene.surfaces.emplace_back().texture = std::make_shared<Texture>();
+  const Result<std::string> text = write_bob(scene);
+  REQUIRE_FALSE(text);
+  CHECK_THAT(text.error(), Catch::Contains("textures"));
+}
+
 TEST_CASE("a random scene that is written and read gives the same pictures") {
   int foreground = 0;
   for (std::uint32_t seed = 500; seed < 530; ++seed) {

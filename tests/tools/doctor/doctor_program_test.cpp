@@ -158,11 +158,11 @@ TEST_CASE("files that cannot be read, and outputs that make no sense, are refuse
   check_refused(run({"box.ply", "--fix", "box.ply"}), 2, "both read and written");
   check_refused(run({"part.b", "--fix", "out.ply"}), 2, "written as .b alone");
   check_refused(run({"box.ply", "--fix", "none/out.b"}), 1, "none/out.b");
-  folder.write("glass.b",
+  folder.write("checks.b",
                "studio { angle 50 resolution 64 64 ambient 1 1 1 }\nsurface { diffuse 1 0 0 "
-               "transparent .5 .5 .5 }\n"
+               "texture { checker } }\n"
                "sphere { center 0 0 0 radius .3 }\n");
-  check_refused(run({"glass.b", "--fix", "out.b"}), 1, "glass");
+  check_refused(run({"checks.b", "--fix", "out.b"}), 1, "textures");
   CHECK_FALSE(fs::exists(folder.path() / "out.b"));
 }
 
