@@ -10,7 +10,7 @@ namespace aspect {
 inline constexpr int kBisections = 4;
 
 // Takes views on the edges of patches that are not uniform, between ends that do not match, and
-// adds what it finds to found.edge_views. Rounds of bisection are made as long as they keep within
+// adds what it finds to found.edge_views. Nothing where that would take more than about
 // options.border_views; an edge whose end is nothing but background is left alone.
 Result<Done> find_borders(const CompileOptions& options, Subdivision& found,
                           Observations& observations);
