@@ -31,8 +31,8 @@ struct CompileOptions {
   double stop_area = 1;
 
   // Most views that are spent on dividing patches that straddle a border along it; 0: they are
-  // left out, as in the thesis. Objects of some ten surfaces need up to 20,000 at level 6.
-  int border_views = 20000;
+  // left out, as in the thesis. Objects of some ten surfaces need 10,000 to 40,000 at level 6.
+  int border_views = 40000;
 
   // Search time of one match, 0: any. What is cut short by it depends on the machine.
   double match_limit_ms = 0;
