@@ -6,6 +6,7 @@
 
 #include "compiler/scene/bob_reader.h"
 #include "compiler/scene/scene_reader.h"
+#include "runtime/base/fnv1a.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/class_match.h"
 
@@ -104,8 +105,8 @@ Result<Scene> kept_scene(const Store& store, const std::string& hash) {
 }  // namespace
 
 std::uint64_t scene_hash_of(const Scene& scene) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  for (const char c : scene.source) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001B3U;
+  std::uint64_t hash = kFnv1aStart;
+  for (const char c : scene.source) hash = fnv1a(hash, static_cast<std::uint8_t>(c));
   return hash;
 }
 

@@ -10,14 +10,6 @@
 namespace aspect {
 namespace {
 
-std::size_t number(VertexId view) {
-  return static_cast<std::size_t>(view);
-}
-
-double share_of_sphere(const ViewSphere& sphere, PatchId patch) {
-  return sphere.area_sr(patch) / (4 * std::numbers::pi);
-}
-
 // The views round a patch, by place, corner 0 first.
 std::vector<EdgeView> views_round(const Subdivision& subdivision, const Patch& patch) {
   std::vector<EdgeView> round;
@@ -216,7 +208,7 @@ class BorderDivision {
     const std::vector<EdgeView> round = views_round(subdivision_, subdivision_.sphere.patch(id));
     PatchDivision division = division_of(round, class_of_view_);
     const std::vector<double> shares = piece_shares(division);
-    const double area = share_of_sphere(subdivision_.sphere, id);
+    const double area = subdivision_.sphere.share(id);
     for (std::size_t k = 0; k < shares.size(); ++k)
       if (division.classes[k] != kNoClass) assign(round, division.classes[k], shares[k] * area);
     if (division.classes.size() == 1)

@@ -11,10 +11,6 @@ struct Gap {
   EdgeView begin, end;
 };
 
-std::size_t number(VertexId view) {
-  return static_cast<std::size_t>(view);
-}
-
 std::vector<Gap> first_gaps(const CompileOptions& options, const Subdivision& found) {
   std::vector<Gap> gaps;
   std::unordered_set<std::uint64_t> met;

@@ -9,13 +9,6 @@
 namespace aspect {
 namespace {
 
-std::size_t number(VertexId vertex) {
-  return static_cast<std::size_t>(vertex);
-}
-std::size_t number(PatchId patch) {
-  return static_cast<std::size_t>(patch);
-}
-
 // A known match between two views of a cluster, to carry names over.
 struct Link {
   VertexId to{};
@@ -60,7 +53,7 @@ class Clustering {
       const PatchId at = open.back();
       open.pop_back();
       cluster.patches.push_back(at);
-      cluster.area_fraction += subdivision_.sphere.area_sr(at) / (4 * std::numbers::pi);
+      cluster.area_fraction += subdivision_.sphere.share(at);
       for (const PatchId neighbour : subdivision_.sphere.neighbours(at)) {
         if (!waiting_[number(neighbour)] || !match(at, neighbour, links)) continue;
         waiting_[number(neighbour)] = false;

@@ -10,10 +10,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::size_t number(VertexId view) {
-  return static_cast<std::size_t>(view);
-}
-
 }  // namespace
 
 std::size_t Observations::KeyHash::operator()(const Key& direction) const {

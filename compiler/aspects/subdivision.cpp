@@ -28,10 +28,6 @@ Result<Done> examine(const std::vector<PatchId>& patches, const Subdivision& fou
   return observations.match(pairs);
 }
 
-double share_of_sphere(const ViewSphere& sphere, PatchId patch) {
-  return sphere.area_sr(patch) / (4 * std::numbers::pi);
-}
-
 std::vector<PatchId> split_all(const std::vector<PatchId>& patches, ViewSphere& sphere) {
   std::vector<PatchId> children;
   for (const PatchId id : patches) {
@@ -52,7 +48,7 @@ Result<Done> split_by_levels(const CompileOptions& options, Subdivision& found,
       double& accepted = observations.progress.area_accepted;
       std::erase_if(patches, [&](PatchId id) {
         if (!is_uniform(found, found.sphere.patch(id), options.threshold)) return false;
-        accepted += share_of_sphere(found.sphere, id);
+        accepted += found.sphere.share(id);
         return true;
       });
       if (accepted >= options.stop_area) return Done{};

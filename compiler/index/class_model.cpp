@@ -8,10 +8,6 @@
 namespace aspect {
 namespace {
 
-std::size_t number(VertexId vertex) {
-  return static_cast<std::size_t>(vertex);
-}
-
 double score_of(Scoring scoring, const ClusterView& view) {
   return scoring == Scoring::area ? view.weight : 1.0;
 }

@@ -18,10 +18,6 @@ namespace fb = ::aspect::schema;
 constexpr double kFinestSpacing_deg = 5, kCoarsestSpacing_deg = 60, kSpacingStep = 1.15;
 constexpr std::size_t kMostMapBytes = 16 * 1024;
 
-std::size_t number(VertexId vertex) {
-  return static_cast<std::size_t>(vertex);
-}
-
 template <typename Integer>
 Integer packed(double value, double unit) {
   constexpr auto kLow = static_cast<double>(std::numeric_limits<Integer>::min());

@@ -54,10 +54,6 @@ constexpr std::size_t kRoots = 20;
 PatchId root(std::size_t k) {
   return static_cast<PatchId>(k);
 }
-std::size_t number(PatchId patch) {
-  return static_cast<std::size_t>(patch);
-}
-
 // Classes are sampled in the middle of these steps round a patch, this far inside it.
 constexpr int kSteps = 16, kRound = 3 * kSteps, kPlaceBits = 6;
 constexpr double kInside = 0.01;

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace aspect {
@@ -21,6 +22,14 @@ namespace aspect {
 // and so depend on the order of the splits; positions do not.
 enum class VertexId : std::uint32_t {};
 enum class PatchId : std::uint32_t {};
+
+// Places in arrays by vertex and by patch.
+inline std::size_t number(VertexId vertex) {
+  return static_cast<std::size_t>(vertex);
+}
+inline std::size_t number(PatchId patch) {
+  return static_cast<std::size_t>(patch);
+}
 
 struct Patch {
   std::array<VertexId, 3> corners{};  // counter-clockwise seen from outside
@@ -59,6 +68,9 @@ class ViewSphere {
 
   // Solid angle of the spherical triangle, in steradians (the whole sphere: 4 pi).
   double area_sr(PatchId patch) const;
+
+  // The same as a share of the whole sphere.
+  double share(PatchId patch) const { return area_sr(patch) / (4 * std::numbers::pi); }
 
   // The leaf in which a direction of any length but zero lies (on a border: one of those that touch
   // it). O(level).

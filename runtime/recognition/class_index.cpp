@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "runtime/base/fnv1a.h"
 #include "runtime/recognition/assignment.h"
 #include "runtime/recognition/class_match.h"
 #include "schema/class_index_generated.h"
@@ -254,10 +255,10 @@ Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
 }  // namespace
 
 std::uint64_t index_checksum(std::span<const std::byte> bytes, std::size_t checksum_offset) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
+  std::uint64_t hash = kFnv1aStart;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const bool own = i >= checksum_offset && i < checksum_offset + sizeof(std::uint64_t);
-    hash = (hash ^ (own ? 0 : std::to_integer<std::uint64_t>(bytes[i]))) * 0x100000001B3U;
+    hash = fnv1a(hash, own ? std::uint8_t{0} : std::to_integer<std::uint8_t>(bytes[i]));
   }
   return hash;
 }

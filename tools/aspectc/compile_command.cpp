@@ -9,6 +9,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/index/bundle_writer.h"
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/compile_outputs.h"
 #include "tools/aspectc/distance_check.h"
 #include "tools/aspectc/prepared_object.h"
@@ -22,11 +23,6 @@ namespace aspect {
 namespace {
 
 namespace fs = std::filesystem;
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
 
 int refuse_usage(const std::string& message) {
   fail(message);

@@ -6,18 +6,10 @@
 
 #include "compiler/scene/bob_writer.h"
 #include "compiler/scene/scene_reader.h"
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/whole_file.h"
 
 namespace aspect {
-namespace {
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
-
-}  // namespace
-
 CLI::App* add_convert_command(CLI::App& app, ConvertCommand& command) {
   CLI::App* convert = app.add_subcommand("convert", "Write a scene as a Bob scene.");
   convert->add_option("scene", command.scene, "scene or mesh to read")->required();

@@ -6,6 +6,7 @@
 
 #include "compiler/scene/bob_writer.h"
 #include "compiler/scene/scene_reader.h"
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/prepared_object.h"
 #include "tools/aspectc/scene_settings.h"
 #include "tools/aspectc/whole_file.h"
@@ -29,11 +30,6 @@ Keys of --json:
             all other groups, surfaces, from 1), can_fix
   fix       output, done (lines), colours (before, after, separation_before, separation_after; it
             separates above 1), left (OUT read again: as an object); only with --fix)";
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
 
 int refuse_usage(const std::string& message) {
   fail(message);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/prepared_object.h"
 
 namespace aspect {
@@ -22,11 +23,6 @@ constexpr const char* kKeys =
   face_confusions  face, taken_for, views, separation (of the colours; above 1 they are separated)
   cure             changes (face, colour, colour_name, separation), level, wrong_before,
                    wrong_after, cured (of those wrong before), accuracy; only where there is one)";
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
 
 Result<Recipe> recipe_of(const ExplainCommand& command) {
   if (command.scene.empty()) return read_recipe(command.store);

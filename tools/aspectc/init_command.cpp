@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "compiler/store/done.h"
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/init_text.h"
 #include "tools/aspectc/prepared_object.h"
 
@@ -16,11 +17,6 @@ namespace aspect {
 namespace {
 
 namespace fs = std::filesystem;
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
 
 // As the project at `project` has to call it.
 fs::path seen_from(const fs::path& project, const fs::path& scene) {

@@ -2,18 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/whole_file.h"
 
 namespace aspect {
-namespace {
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
-
-}  // namespace
-
 CLI::App* add_models_info_command(CLI::App& app, ModelsInfoCommand& command) {
   CLI::App* info = app.add_subcommand(
       "models-info", "Write sizes and symmetries of objects as BOP's models_info.json.");

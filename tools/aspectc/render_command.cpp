@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "compiler/aspects/observer.h"
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/prepared_object.h"
 #include "tools/aspectc/whole_file.h"
 #include "tools/draw/frame_canvas.h"
@@ -13,11 +14,6 @@
 
 namespace aspect {
 namespace {
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "aspectc: {}\n", message);
-  return 1;
-}
 
 // `name` has passed the option's check.
 SensorKind sensor_named(const std::string& name) {

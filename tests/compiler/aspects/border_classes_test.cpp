@@ -36,13 +36,6 @@ std::map<std::int32_t, VisibleFaces> faces_of_classes(const CompiledModel& model
   return faces;
 }
 
-std::uint16_t main_surface(const ObservedContour& contour) {
-  const auto fewer = [](const SurfaceShare& a, const SurfaceShare& b) {
-    return a.pixels < b.pixels;
-  };
-  return std::max_element(contour.surfaces.begin(), contour.surfaces.end(), fewer)->surface;
-}
-
 }  // namespace
 
 TEST_CASE("divided patches of a cube see what the exact arrangement says, all over the sphere") {

@@ -1,5 +1,6 @@
 #include "tests/compiler/aspects/compiled_model.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -46,6 +47,13 @@ const CompiledModel& compiled_model(const std::string& name, int level) {
 
 std::vector<std::uint8_t> index_bytes_of(const Scene& scene, const CompileOptions& options) {
   return compile(scene, options, std::nullopt, {}, nullptr).value().bytes;
+}
+
+std::uint16_t main_surface(const ObservedContour& contour) {
+  const auto fewer = [](const SurfaceShare& a, const SurfaceShare& b) {
+    return a.pixels < b.pixels;
+  };
+  return std::max_element(contour.surfaces.begin(), contour.surfaces.end(), fewer)->surface;
 }
 
 }  // namespace aspect

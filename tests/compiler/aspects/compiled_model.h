@@ -39,4 +39,7 @@ inline std::size_t place_of(PatchId patch) {
   return static_cast<std::size_t>(patch);
 }
 
+// The surface that a contour shows most of.
+std::uint16_t main_surface(const ObservedContour& contour);
+
 }  // namespace aspect

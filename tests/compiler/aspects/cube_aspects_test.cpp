@@ -53,13 +53,6 @@ Cube cube(int level) {
   return {compiled_model("cube", level)};
 }
 
-std::uint16_t main_surface(const ObservedContour& contour) {
-  const auto less = [](const SurfaceShare& a, const SurfaceShare& b) {
-    return a.pixels < b.pixels;
-  };
-  return std::max_element(contour.surfaces.begin(), contour.surfaces.end(), less)->surface;
-}
-
 }  // namespace
 
 TEST_CASE("the exact arrangement of a cube has 26 cells that cover the sphere") {
