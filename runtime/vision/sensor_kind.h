@@ -23,6 +23,14 @@ constexpr bool gives(SensorKind sensor, PixelFormat format) {
   switch (format) {
     case PixelFormat::rgb8:
     case PixelFormat::bgr8:
+    case PixelFormat::yuyv8:
+    case PixelFormat::uyvy8:
+    case PixelFormat::nv12:
+    case PixelFormat::nv21:
+    case PixelFormat::bayer_rggb8:
+    case PixelFormat::bayer_grbg8:
+    case PixelFormat::bayer_gbrg8:
+    case PixelFormat::bayer_bggr8:
       return sensor == SensorKind::colour;
     case PixelFormat::grey8:
       return sensor == SensorKind::grey;
