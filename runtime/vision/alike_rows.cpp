@@ -28,14 +28,6 @@ inline Byte alike(const ShareRow& a, const ShareRow& b, std::size_t i, Byte inte
 
 }  // namespace
 
-ShareRow::ShareRow(const Shares& shares, std::size_t first)
-    : red(shares.red.data() + first),
-      green(shares.green.data() + first),
-      blue(shares.blue.data() + first),
-      intensity(shares.intensity.data() + first),
-      tolerance(shares.tolerance.data() + first),
-      foreground(shares.foreground.data() + first) {}
-
 void require_alike(ShareRow a, ShareRow b, std::size_t count, Byte intensity_step,
                    Byte* __restrict core) {
   for (std::size_t i = 0; i < count; ++i) {

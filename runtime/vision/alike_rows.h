@@ -8,12 +8,6 @@
 
 namespace aspect {
 
-// The pixels of some Shares from an index on.
-struct ShareRow {
-  const std::uint8_t *red, *green, *blue, *intensity, *tolerance, *foreground;
-  ShareRow(const Shares& shares, std::size_t first);
-};
-
 // core[i] &= the pixels at a[i] and b[i] are alike, or one of them is background.
 void require_alike(ShareRow a, ShareRow b, std::size_t count, std::uint8_t intensity_step,
                    std::uint8_t* core);

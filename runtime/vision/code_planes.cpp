@@ -5,25 +5,12 @@
 
 namespace aspect {
 
-Shares take_code_shares(Arena& arena, int width_px, int height_px) {
+CodeMasks take_code_masks(Arena& arena, int width_px, int height_px) {
   const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
-  Shares shares;
-  for (std::span<std::uint8_t>* plane :
-       {&shares.intensity, &shares.tolerance, &shares.foreground, &shares.solid})
-    *plane = arena.take<std::uint8_t>(pixels);
-  shares.stride_px = width_px;
-  shares.are_codes = true;
-  return shares;
-}
-
-void show_codes(const Planes& codes, std::uint8_t tolerance, Shares& shares) {
-  shares.red = codes.red;
-  shares.green = codes.green;
-  shares.blue = codes.blue;
-  shares.active = codes.active;
-  const Box& box = codes.active;
-  for (int y = box.y; y < box.y + box.height; ++y)
-    std::fill_n(shares.tolerance.begin() + y * shares.stride_px + box.x, box.width, tolerance);
+  CodeMasks masks;
+  masks.foreground = arena.take<std::uint8_t>(pixels);
+  masks.solid = arena.take<std::uint8_t>(pixels);
+  return masks;
 }
 
 std::uint16_t number_at(const Frame& frame, int x, int y) {

@@ -2,17 +2,21 @@
 // within a surface and different across its border, so that all later stages stay as they are.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "runtime/base/arena.h"
-#include "runtime/vision/enhance.h"
 #include "runtime/vision/planes.h"
 
 namespace aspect {
 
-// Shares whose three colours are those of whatever planes they are given (see show_codes).
-Shares take_code_shares(Arena& arena, int width_px, int height_px);
+// Which of them are anything, pixel by pixel like Planes: 255 or 0.
+struct CodeMasks {
+  std::span<std::uint8_t> foreground;
+  std::span<std::uint8_t> solid;  // where a core may be
+};
 
-// Lets the shares be the codes themselves, alike where none differs by more than `tolerance`.
-void show_codes(const Planes& codes, std::uint8_t tolerance, Shares& shares);
+CodeMasks take_code_masks(Arena& arena, int width_px, int height_px);
 
 // Of a frame of 16-bit numbers: smallest box of those in [least, most] within the part looked at,
 // with a margin of 2 pixels. Empty where there are none.

@@ -26,7 +26,7 @@ int end_of_bytes(const std::uint8_t* bytes, int from, int end, std::uint8_t valu
 void Components::take(Arena& arena, int width_px, int height_px) {
   const auto width = static_cast<std::size_t>(width_px);
   const auto height = static_cast<std::size_t>(height_px);
-  runs_ = arena.take<Run>(width * height / kRunsPerPixelDivisor + width);
+  runs_ = arena.take<ComponentRun>(width * height / kRunsPerPixelDivisor + width);
   row_first_run_ = arena.take<std::int32_t>(height + 1);
 }
 
@@ -48,11 +48,9 @@ bool Components::add_row(int y, const RowLinks& links) {
       return false;
     }
     const int stop = end_of_bytes(links.left, x + 1, end, 255);
-    Run& run = runs_[static_cast<std::size_t>(count_)];
-    run = {static_cast<std::uint16_t>(y),
-           static_cast<std::uint16_t>(x),
-           static_cast<std::uint16_t>(stop),
-           0,
+    ComponentRun& run = runs_[static_cast<std::size_t>(count_)];
+    run = {{static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(x),
+            static_cast<std::uint16_t>(stop), 0},
            count_,
            0};
     ++count_;
@@ -78,9 +76,9 @@ void Components::join_rows(int y, const std::uint8_t* up) {
   }
 }
 
-std::span<Run> Components::finish() {
+std::span<ComponentRun> Components::finish() {
   for (std::int32_t i = 0; i < count_; ++i) {
-    Run& run = runs_[static_cast<std::size_t>(i)];
+    ComponentRun& run = runs_[static_cast<std::size_t>(i)];
     run.root = root_of(i);
     runs_[static_cast<std::size_t>(run.root)].area_px += run.end - run.begin;
   }
@@ -104,7 +102,7 @@ void Components::join(std::int32_t a, std::int32_t b) {
   runs_[static_cast<std::size_t>(std::max(a, b))].root = std::min(a, b);
 }
 
-const Run& Components::run_at(int x, int y) const {
+const ComponentRun& Components::run_at(int x, int y) const {
   const auto row = static_cast<std::size_t>(y);
   const auto first = runs_.begin() + row_first_run_[row];
   const auto last = runs_.begin() + row_first_run_[row + 1];

@@ -12,7 +12,10 @@ namespace aspect {
 // Pixels [begin, end) of one row that belong together.
 struct Run {
   std::uint16_t row = 0, begin = 0, end = 0;
-  std::uint16_t label = 0;   // the caller's, 0: none
+  std::uint16_t label = 0;  // the caller's, 0: none
+};
+
+struct ComponentRun : Run {
   std::int32_t root = 0;     // the first run of its component
   std::int32_t area_px = 0;  // of a root: the area of its component
 };
@@ -32,7 +35,7 @@ class Components {
   // Calls links(y) -> RowLinks for every row of the box, top to bottom. Under 4-connectedness.
   // Rows that find no room are left out and counted in dropped_rows(). O(pixels).
   template <typename Links>
-  std::span<Run> run(const Box& box, Links&& links) {
+  std::span<ComponentRun> run(const Box& box, Links&& links) {
     begin(box);
     for (int y = box.y; y < box.y + box.height; ++y) {
       const RowLinks row = links(y);
@@ -43,18 +46,18 @@ class Components {
   }
 
   // The run of the last result that holds a pixel, which must be in one.
-  const Run& run_at(int x, int y) const;
+  const ComponentRun& run_at(int x, int y) const;
   int dropped_rows() const { return dropped_rows_; }
 
  private:
   void begin(const Box& box);
   bool add_row(int y, const RowLinks& links);
   void join_rows(int y, const std::uint8_t* up);
-  std::span<Run> finish();
+  std::span<ComponentRun> finish();
   std::int32_t root_of(std::int32_t run);
   void join(std::int32_t a, std::int32_t b);
 
-  std::span<Run> runs_;
+  std::span<ComponentRun> runs_;
   std::span<std::int32_t> row_first_run_;
   Box box_;
   std::int32_t count_ = 0;

@@ -15,7 +15,6 @@
 namespace aspect {
 namespace {
 
-constexpr std::uint8_t kEastSeen = 1;
 constexpr int kMaxTraced = 2 * kMaxRegions;
 
 }  // namespace
@@ -43,8 +42,7 @@ struct ContourTracer::Walk {
 void ContourTracer::take(Arena& arena, int width_px, int height_px) {
   const std::size_t pixels =
       static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
-  seen_ = arena.take<std::uint8_t>(pixels);
-  chains_ = arena.take<std::uint8_t>(pixels / 2 + 1024);
+  east_seen_ = arena.take<std::uint64_t>(pixels / 64 + 1);
   contours_ = arena.take<TracedContour>(kMaxTraced);
 }
 
@@ -58,13 +56,12 @@ std::uint16_t ContourTracer::label_at(const RegionMap& map, int x, int y) const 
 // border.
 int ContourTracer::next_direction(const RegionMap& map, const Walk& walk,
                                   Surrounding& surrounding) {
-  auto& seen = seen_[static_cast<std::size_t>(walk.y * map.stride_px + walk.x)];
   for (int turn = 1; turn <= 8; ++turn) {
     const int direction = (walk.from + turn) & 7;
     const std::uint16_t other =
         label_at(map, walk.x + kStepX[direction], walk.y + kStepY[direction]);
     if (other == walk.label) return direction;
-    if (direction == 0) seen |= kEastSeen;
+    if (direction == 0) see_east(static_cast<std::size_t>(walk.y * map.stride_px + walk.x));
     if ((direction & 1) == 0) surrounding.vote(other);
   }
   return -1;
@@ -102,11 +99,19 @@ bool ContourTracer::trace(const RegionMap& map, int x, int y, bool external) {
   return true;
 }
 
+void ContourTracer::forget_seen(const RegionMap& map) {
+  const Box& box = map.active;
+  if (box.empty()) return;
+  const auto first = static_cast<std::size_t>(box.y * map.stride_px + box.x);
+  const auto last =
+      static_cast<std::size_t>((box.y + box.height - 1) * map.stride_px + box.x + box.width - 1);
+  std::fill(east_seen_.begin() + static_cast<std::ptrdiff_t>(first / 64),
+            east_seen_.begin() + static_cast<std::ptrdiff_t>(last / 64 + 1), std::uint64_t{0});
+}
+
 std::span<const TracedContour> ContourTracer::run(const RegionMap& map, int hole_area_min_px,
                                                   int& dropped) noexcept {
-  const Box& box = map.active;
-  for (int y = box.y; y < box.y + box.height; ++y)
-    std::fill_n(seen_.begin() + y * map.stride_px + box.x, box.width, std::uint8_t{0});
+  forget_seen(map);
   chain_bytes_ = contour_count_ = 0;
   std::uint16_t highest_traced = 0;  // labels are in the order of their first pixels
   // Borders that found no room are not tried again at each of their pixels.
@@ -126,10 +131,11 @@ std::span<const TracedContour> ContourTracer::run(const RegionMap& map, int hole
     if (lost.test(run.label)) continue;
     const int last = run.end - 1;
     if (label_at(map, run.end, run.row) == run.label ||
-        (seen_[static_cast<std::size_t>(run.row * map.stride_px + last)] & kEastSeen) != 0)
+        east_seen(static_cast<std::size_t>(run.row * map.stride_px + last)))
       continue;
+    // A line that encloses nothing is no hole, but a piece of a region that lost its lowest rows.
     if (trace_or_lose(run, last, false) &&
-        enclosed_area_px(contours_[contour_count_ - 1].chain) < hole_area_min_px)
+        enclosed_area_px(contours_[contour_count_ - 1].chain) < std::max(hole_area_min_px, 1))
       chain_bytes_ -= contours_[--contour_count_].chain.size();
   }
   return contours_.first(contour_count_);

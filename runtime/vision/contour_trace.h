@@ -28,8 +28,11 @@ class ContourTracer {
  public:
   void take(Arena& arena, int width_px, int height_px);
 
+  // Memory for the chains of the next run, which lie in it from then on.
+  void lend(std::span<std::uint8_t> chains) { chains_ = chains; }
+
   // Borders of all regions in the order of their first pixels, external and internal ones (holes
-  // of at least hole_area_min_px). Chains live until the next run. `dropped` counts contours lost
+  // of at least hole_area_min_px). `dropped` counts contours lost
   // to a capacity. O(pixels of the active part + border pixels).
   std::span<const TracedContour> run(const RegionMap& map, int hole_area_min_px,
                                      int& dropped) noexcept;
@@ -39,9 +42,14 @@ class ContourTracer {
   struct Walk;
   int next_direction(const RegionMap& map, const Walk& walk, Surrounding& surrounding);
   bool trace(const RegionMap& map, int x, int y, bool external);
+  void forget_seen(const RegionMap& map);
+  void see_east(std::size_t pixel) { east_seen_[pixel / 64] |= std::uint64_t{1} << (pixel % 64); }
+  bool east_seen(std::size_t pixel) const {
+    return (east_seen_[pixel / 64] >> (pixel % 64) & 1U) != 0;
+  }
   std::uint16_t label_at(const RegionMap& map, int x, int y) const;
 
-  std::span<std::uint8_t> seen_;  // kEastSeen: its east side was traced
+  std::span<std::uint64_t> east_seen_;  // a bit a pixel: its east side was traced
   std::span<std::uint8_t> chains_;
   std::span<TracedContour> contours_;
   std::size_t chain_bytes_ = 0;

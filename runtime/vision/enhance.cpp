@@ -40,20 +40,13 @@ void median_row(const Byte* low, const Byte* middle, const Byte* high, int width
 void smooth_plane(std::span<const Byte> from, int stride, const Box& box, std::span<Byte> scratch,
                   std::span<Byte> to) {
   const auto width = static_cast<std::size_t>(box.width);
-  Byte* low = scratch.data();
-  Byte* middle = low + width;
-  Byte* high = middle + width;
   for (int y = 0; y < box.height; ++y) {
     const Byte* row = from.data() + (box.y + y) * stride + box.x;
     Byte* out = to.data() + (box.y + y) * stride + box.x;
-    if (y == 0 || y + 1 == box.height) {
+    if (y == 0 || y + 1 == box.height)
       std::copy_n(row, width, out);
-      continue;
-    }
-    sort_columns(row - stride, row, row + stride, box.width, low, middle, high);
-    median_row(low, middle, high, box.width, out);
-    out[0] = row[0];
-    out[width - 1] = row[width - 1];
+    else
+      smooth_row(row - stride, row, row + stride, box.width, scratch, out);
   }
 }
 
@@ -81,49 +74,53 @@ void share_row(const Byte* red, const Byte* green, const Byte* blue, int width,
 }
 
 void intensity_row(const Byte* red, const Byte* green, const Byte* blue, int width,
-                   int intensity_min, Byte* __restrict intensity, Byte* __restrict foreground) {
-  const auto least = static_cast<std::uint16_t>(std::clamp(intensity_min, 1, kLargestSum + 1));
+                   Byte* __restrict intensity) {
   for (int x = 0; x < width; ++x) {
     const auto sum = static_cast<std::uint16_t>(red[x] + green[x] + blue[x]);
     intensity[x] = static_cast<Byte>((sum * 21846U) >> 16U);
+  }
+}
+
+void foreground_row(const Byte* red, const Byte* green, const Byte* blue, int width,
+                    std::uint16_t least, Byte* __restrict foreground) {
+  for (int x = 0; x < width; ++x) {
+    const auto sum = static_cast<std::uint16_t>(red[x] + green[x] + blue[x]);
     foreground[x] = sum >= least ? Byte{255} : Byte{0};
   }
 }
 
 }  // namespace
 
-Shares take_shares(Arena& arena, int width_px, int height_px) {
-  const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
-  Shares shares;
-  for (std::span<Byte>* plane : {&shares.red, &shares.green, &shares.blue, &shares.intensity,
-                                 &shares.tolerance, &shares.foreground})
-    *plane = arena.take<Byte>(pixels);
-  shares.stride_px = width_px;
-  return shares;
+void smooth_row(const Byte* above, const Byte* row, const Byte* below, int width,
+                std::span<Byte> scratch, Byte* out) {
+  Byte* low = scratch.data();
+  Byte* middle = low + width;
+  Byte* high = middle + width;
+  sort_columns(above, row, below, width, low, middle, high);
+  median_row(low, middle, high, width, out);
+  out[0] = row[0];
+  out[width - 1] = row[width - 1];
 }
 
 void smooth(const Planes& from, std::span<Byte> scratch, Planes& to) {
   to.active = from.active;
   smooth_plane(from.red, from.stride_px, from.active, scratch, to.red);
-  if (from.green.data() == from.red.data()) return;  // grey
+  if (from.is_grey()) return;
   smooth_plane(from.green, from.stride_px, from.active, scratch, to.green);
   smooth_plane(from.blue, from.stride_px, from.active, scratch, to.blue);
 }
 
-void normalise(const Planes& planes, const VisionParameters& parameters, Shares& shares) {
-  shares.active = planes.active;
-  const Box& box = planes.active;
-  for (int y = box.y; y < box.y + box.height; ++y) {
-    const auto begin = static_cast<std::size_t>(y * planes.stride_px + box.x);
-    const Byte* red = planes.red.data() + begin;
-    const Byte* green = planes.green.data() + begin;
-    const Byte* blue = planes.blue.data() + begin;
-    share_row(red, green, blue, box.width, parameters, shares.red.data() + begin,
-              shares.green.data() + begin, shares.blue.data() + begin,
-              shares.tolerance.data() + begin);
-    intensity_row(red, green, blue, box.width, parameters.intensity_min,
-                  shares.intensity.data() + begin, shares.foreground.data() + begin);
-  }
+void normalise(const Byte* red, const Byte* green, const Byte* blue, int count,
+               const VisionParameters& parameters, const MutableShareRow& out) {
+  share_row(red, green, blue, count, parameters, out.red, out.green, out.blue, out.tolerance);
+  intensity_row(red, green, blue, count, out.intensity);
+  find_foreground(red, green, blue, count, parameters.intensity_min, out.foreground);
+}
+
+void find_foreground(const Byte* red, const Byte* green, const Byte* blue, int count,
+                     int intensity_min, Byte* foreground) {
+  const auto least = static_cast<std::uint16_t>(std::clamp(intensity_min, 1, kLargestSum + 1));
+  foreground_row(red, green, blue, count, least, foreground);
 }
 
 }  // namespace aspect

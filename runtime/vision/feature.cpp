@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/base/portable_math.h"
+
 namespace aspect {
 
 ContourFeature feature_of(const Contour& contour, const Blob& blob) {
@@ -46,13 +48,14 @@ TypeAttributes type_attributes(const ContourFeature& feature) {
                   kAsymmetry = 0.05F;
   const std::array<float, 4> hu = hu_invariants(feature.moments);
   // 1/6 is the spread of a square; slivers reach tens of it.
-  const float spread = std::log(std::max(6 * hu[0], 0.5F));
+  const float spread =
+      static_cast<float>(portable_log(static_cast<double>(std::max(6 * hu[0], 0.5F))));
   const float asymmetry = std::min(std::sqrt(hu[2]), 0.3F);
   return {feature.share[0] / kShare,
           feature.share[1] / kShare,
           feature.share[2] / kShare,
           feature.area / kArea,
-          std::hypot(feature.position.x, feature.position.y) / kDistance,
+          portable_hypot(feature.position.x, feature.position.y) / kDistance,
           spread / kSpread,
           asymmetry / kAsymmetry};
 }

@@ -14,6 +14,8 @@
 #include <limits>
 #include <numbers>
 
+#include "runtime/base/portable_math.h"
+
 namespace aspect {
 namespace {
 
@@ -42,14 +44,15 @@ struct RangeCodes::RowSums {
 
 RangeCamera range_camera(int width_px, int height_px, float field_of_view_deg) {
   const double half_rad = static_cast<double>(field_of_view_deg) * std::numbers::pi / 360;
-  return {static_cast<float>(width_px / 2.0 / std::tan(half_rad)),
+  return {static_cast<float>(width_px / 2.0 / portable_tan(half_rad)),
           static_cast<float>(width_px - 1) / 2, static_cast<float>(height_px - 1) / 2};
 }
 
 std::uint8_t code_step(float normal_step_deg) {
   // Lambert's projection takes an angle to sqrt(2) sin(angle / 2).
   const double half_rad = static_cast<double>(normal_step_deg) * std::numbers::pi / 360;
-  const double step = static_cast<double>(kTiltScale) * std::numbers::sqrt2 * std::sin(half_rad);
+  const double step =
+      static_cast<double>(kTiltScale) * std::numbers::sqrt2 * portable_sin(half_rad);
   return static_cast<std::uint8_t>(std::clamp(step, 1.0, 255.0));
 }
 
@@ -66,33 +69,33 @@ void RangeCodes::take(Arena& arena, int width_px, int height_px) {
 }
 
 bool RangeCodes::run(const Frame& frame, const VisionParameters& parameters, Planes& codes,
-                     Shares& shares) noexcept {
+                     CodeMasks& masks) noexcept {
   const RangeParameters& range = parameters.range;
   active_ = box_of_numbers(frame, parameters, std::max(range.steps_min, 1),
                            std::min(range.steps_max, 65534));
   codes.active = active_;
   if (active_.empty()) return false;
   camera_ = range_camera(frame.width_px, frame.height_px, range.field_of_view_deg);
-  read_disparities(frame, range, shares);
+  read_disparities(frame, range, masks);
   find_reference();
   const float most = range.depth_step / 2;
   for (int y = active_.y; y < active_.y + active_.height; ++y)
     fit_row(y, kWindowPixels * most * most);
-  choose_windows(codes, shares);
-  mark_jumps(range.depth_step, shares);
-  spread_codes(range.depth_step, codes, shares);
+  choose_windows(codes, masks);
+  mark_jumps(range.depth_step, masks);
+  spread_codes(range.depth_step, codes, masks);
   return true;
 }
 
 void RangeCodes::read_disparities(const Frame& frame, const RangeParameters& range,
-                                  Shares& shares) {
+                                  CodeMasks& masks) {
   const int least = std::max(range.steps_min, 1), most = std::min(range.steps_max, 65534);
   for (int y = active_.y; y < active_.y + active_.height; ++y) {
     for (int x = active_.x; x < active_.x + active_.width; ++x) {
       const int depth = number_at(frame, x, y);
       const bool measured = depth >= least && depth <= most;
       disparity_[place(x, y)] = measured ? 1.0F / static_cast<float>(depth) : 0.0F;
-      shares.foreground[place(x, y)] = measured ? 255 : 0;
+      masks.foreground[place(x, y)] = measured ? 255 : 0;
     }
   }
 }
@@ -209,17 +212,17 @@ std::size_t RangeCodes::best_window(int x, int y) const {
   return best;
 }
 
-void RangeCodes::choose_windows(Planes& codes, Shares& shares) const {
+void RangeCodes::choose_windows(Planes& codes, CodeMasks& masks) const {
   const int x_end = active_.x + active_.width, y_end = active_.y + active_.height;
   for (int y = active_.y; y < y_end; ++y) {
     for (int x = active_.x; x < x_end; ++x) {
       const std::size_t i = place(x, y);
-      shares.solid[i] = 0;
+      masks.solid[i] = 0;
       codes.red[i] = codes.green[i] = codes.blue[i] = 0;
-      if (shares.foreground[i] == 0) continue;
+      if (masks.foreground[i] == 0) continue;
       const std::size_t best = best_window(x, y);
       if (misfit_[best] == kUnfit) continue;
-      shares.solid[i] = 255;
+      masks.solid[i] = 255;
       codes.red[i] = tilt_x_[best];
       codes.green[i] = tilt_y_[best];
       codes.blue[i] = at_[best];
@@ -240,12 +243,12 @@ bool RangeCodes::jumps(std::ptrdiff_t i, std::ptrdiff_t step, bool has_before, b
   return !(has_after && at[2 * step] > 0 && std::abs(2 * next - at[2 * step] - here) <= most);
 }
 
-void RangeCodes::mark_jumps(float depth_step, Shares& shares) const {
+void RangeCodes::mark_jumps(float depth_step, CodeMasks& masks) const {
   const int x_end = active_.x + active_.width, y_end = active_.y + active_.height;
   for (int y = active_.y; y < y_end; ++y) {
     for (int x = active_.x; x < x_end; ++x) {
       const auto i = static_cast<std::ptrdiff_t>(place(x, y));
-      std::uint8_t* solid = shares.solid.data() + i;
+      std::uint8_t* solid = masks.solid.data() + i;
       if (x + 1 < x_end && jumps(i, 1, x > active_.x, x + 2 < x_end, depth_step))
         solid[0] = solid[1] = 0;
       if (y + 1 < y_end && jumps(i, stride_px_, y > active_.y, y + 2 < y_end, depth_step))
@@ -256,12 +259,12 @@ void RangeCodes::mark_jumps(float depth_step, Shares& shares) const {
 
 // Tips that no window fits into take the code of the pixel beside them, from left and top, then
 // from right and bottom. Cores they never are.
-void RangeCodes::spread_codes(float depth_step, Planes& codes, const Shares& shares) const {
+void RangeCodes::spread_codes(float depth_step, Planes& codes, const CodeMasks& masks) const {
   const auto bare = [&](std::size_t i) {
-    return shares.foreground[i] != 0 && codes.red[i] == 0 && codes.green[i] == 0;
+    return masks.foreground[i] != 0 && codes.red[i] == 0 && codes.green[i] == 0;
   };
   const auto copy = [&](std::size_t from, std::size_t to) {
-    if (!bare(to) || shares.foreground[from] == 0) return;
+    if (!bare(to) || masks.foreground[from] == 0) return;
     const float a = disparity_[from], b = disparity_[to];
     if (std::abs(a - b) > depth_step * std::min(a, b)) return;
     codes.red[to] = codes.red[from];

@@ -25,7 +25,7 @@ class RangeCodes {
 
   // Fills codes, foreground and solid. False where the frame shows nothing. O(pixels).
   bool run(const Frame& frame, const VisionParameters& parameters, Planes& codes,
-           Shares& shares) noexcept;
+           CodeMasks& masks) noexcept;
 
  private:
   // Where the places of planes are counted from, and in what unit.
@@ -35,17 +35,17 @@ class RangeCodes {
   };
   struct RowSums;
 
-  void read_disparities(const Frame& frame, const RangeParameters& range, Shares& shares);
+  void read_disparities(const Frame& frame, const RangeParameters& range, CodeMasks& masks);
   void find_reference();
   void fit_row(int y, float most_misfit);
   void add_window_rows(int y, const RowSums& sums) const;
   void encode(int x, int y, const RowSums& sums, std::size_t column, float mean);
   std::size_t best_window(int x, int y) const;
-  void choose_windows(Planes& codes, Shares& shares) const;
-  void mark_jumps(float depth_step, Shares& shares) const;
+  void choose_windows(Planes& codes, CodeMasks& masks) const;
+  void mark_jumps(float depth_step, CodeMasks& masks) const;
   bool jumps(std::ptrdiff_t i, std::ptrdiff_t step, bool has_before, bool has_after,
              float depth_step) const;
-  void spread_codes(float depth_step, Planes& codes, const Shares& shares) const;
+  void spread_codes(float depth_step, Planes& codes, const CodeMasks& masks) const;
   std::size_t place(int x, int y) const { return static_cast<std::size_t>(y * stride_px_ + x); }
 
   std::span<float> disparity_;                    // 1 / depth, 0: nothing measured

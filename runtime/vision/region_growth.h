@@ -7,8 +7,9 @@
 #include <span>
 
 #include "runtime/base/arena.h"
-#include "runtime/vision/enhance.h"
 #include "runtime/vision/frame.h"
+#include "runtime/vision/share_rows.h"
+#include "runtime/vision/vision_limits.h"
 #include "runtime/vision/vision_parameters.h"
 
 namespace aspect {
@@ -38,26 +39,35 @@ class RegionGrowth {
   // First every waiting pixel that has the colour of a region next to it joins that region, however
   // far that leads; regions of one colour that meet in this way become one (see joined). Then the
   // others, a few layers deep, take the most alike region next to them.
-  void run(const Shares& shares, std::span<const CoreColour> cores,
+  void run(const ShareRows& shares, std::span<const CoreColour> cores,
            const VisionParameters& parameters, LabelPicture picture);
+
+  // Memory that the next begin() takes back.
+  std::span<std::uint8_t> idle_memory() const {
+    return {reinterpret_cast<std::uint8_t*>(pending_.data()), pending_.size_bytes()};
+  }
 
   // The label that stands for this one after run(): the lowest of its joined regions.
   std::uint16_t joined(std::uint16_t label) const;
 
  private:
+  // Four bytes, of which a crowded frame has one for every pixel.
   struct Pixel {
-    std::uint16_t x = 0, y = 0;
+    std::uint16_t x = 0;
+    std::uint16_t y : 13 = 0;
+    std::uint16_t side : 3 = 0;  // of the neighbour that the layer takes its label from
   };
+  static_assert(kMaxFrameSide_px <= 1 << 13);
   struct Neighbour {
     std::uint16_t label = 0;
+    std::uint8_t side = 0;
     int difference = 512;  // largest of the three shares', and more where intensities differ
   };
   struct Growing;
 
   std::span<Pixel> pending_;
-  std::span<std::uint16_t> pending_label_;
   std::span<std::uint16_t> parent_;  // by label
-  std::size_t pending_count_ = 0;
+  std::size_t room_ = 0, pending_count_ = 0;
 };
 
 }  // namespace aspect

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
+#include "runtime/base/portable_math.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -77,8 +79,9 @@ std::size_t tree_arcs_first(std::size_t contour_count, std::span<Relation> arcs)
 }  // namespace
 
 std::uint8_t direction_code(Point2 vector) {
-  constexpr float kStep_rad = 0.39269908F;
-  const float turns = std::atan2(vector.y, vector.x) / kStep_rad;
+  constexpr double kStep_rad = std::numbers::pi / 8;
+  const double turns =
+      portable_atan2(static_cast<double>(vector.y), static_cast<double>(vector.x)) / kStep_rad;
   return static_cast<std::uint8_t>(static_cast<int>(std::lround(turns)) & 15);
 }
 

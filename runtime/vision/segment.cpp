@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <numeric>
+#include <utility>
 
 #include "runtime/vision/alike_rows.h"
 #include "runtime/vision/vision_limits.h"
@@ -28,13 +30,6 @@ constexpr std::int32_t kNoRoot = -1;
 // A core has fewer pixels than its region; smaller ones than this share of the least area are
 // noise.
 constexpr int kCoreAreaDivisor = 4;
-
-// out[i] = 255 where there is foreground and no core.
-void mark_border(const Byte* foreground, const Byte* core, std::size_t count,
-                 Byte* __restrict out) {
-  for (std::size_t i = 0; i < count; ++i)
-    out[i] = static_cast<Byte>(foreground[i] & static_cast<Byte>(~core[i]));
-}
 
 // core[i] &= solid[i].
 void keep_solid(const Byte* solid, std::size_t count, Byte* __restrict core) {
@@ -74,74 +69,80 @@ struct Segmenter::Core {
 void Segmenter::take(Arena& arena, int width_px, int height_px) {
   const auto width = static_cast<std::size_t>(width_px);
   const std::size_t pixels = width * static_cast<std::size_t>(height_px);
-  const std::size_t runs = pixels / kRunsPerPixelDivisor + width;
   stride_px_ = width_px;
   components_.take(arena, width_px, height_px);
-  core_ = arena.take<Byte>(pixels);
+  shares_.take(arena, width_px);
+  core_ = arena.take<Byte>(2 * width);
   left_ = arena.take<Byte>(width);
   up_ = arena.take<Byte>(width);
-  roots_ = arena.take<std::int32_t>(runs);
+  roots_ = arena.take<std::int32_t>(kMaxRegions);
   cores_ = arena.take<Core>(kMaxRegions);
   colours_ = arena.take<CoreColour>(kMaxRegions);
   growth_.take(arena, width_px, height_px);
-  runs_ = arena.take<Run>(runs);
-  measured_ = arena.take<Region>(kMaxRegions);
+  runs_ = arena.take<Run>(pixels / kRegionRunsPerPixelDivisor + width);
   regions_ = arena.take<Region>(kMaxRegions);
-  blobs_ = arena.take<Blob>(kMaxRegions);
+  blobs_ = arena.take<Blob>(kMaxBlobs);
   labels_ = arena.take<std::uint16_t>(pixels);
 }
 
-RowLinks Segmenter::link_core_row(const Shares& shares, int y, int intensity_step) {
+RowLinks Segmenter::link_core_row(const EnhancedFrame& frame, int y, int intensity_step) {
   const auto width = static_cast<std::size_t>(active_.width);
-  const auto stride = static_cast<std::size_t>(shares.stride_px);
-  const auto offset = static_cast<std::size_t>(y * shares.stride_px + active_.x);
   const auto step = static_cast<Byte>(std::clamp(intensity_step / 3, 0, 255));
-  const ShareRow here(shares, offset);
-  Byte* core = core_.data() + offset;
+  const bool first = y == active_.y, last = y + 1 == active_.y + active_.height;
+  const ShareRow here = shares_.row(y);
+  const ShareRow above = first ? here : shares_.row(y - 1);
+  const auto core_row = [&](int row) {
+    return core_.data() + (row % 2 == 0 ? 0 : stride_px_) + active_.x;
+  };
+  Byte* core = core_row(y);
   std::copy_n(here.foreground, width, core);
-  if (!shares.solid.empty()) keep_solid(shares.solid.data() + offset, width, core);
-  if (width > 2) require_alike(here, ShareRow(shares, offset + 2), width - 2, step, core + 1);
-  if (y > active_.y && y + 1 < active_.y + active_.height)
-    require_alike(ShareRow(shares, offset - stride), ShareRow(shares, offset + stride), width, step,
-                  core);
+  if (frame.codes != nullptr)
+    keep_solid(frame.codes->solid.data() + frame.planes.place(active_.x, y), width, core);
+  if (width > 2) require_alike(here, here.from(2), width - 2, step, core + 1);
+  if (!first && !last) require_alike(above, shares_.row(y + 1), width, step, core);
   Byte* left = left_.data() + active_.x;
   left[0] = 0;
-  link_alike(here, ShareRow(shares, offset + 1), core, core + 1, width - 1, step, left + 1);
-  if (y > active_.y)
-    link_alike(here, ShareRow(shares, offset - stride), core, core - stride, width, step,
-               up_.data() + active_.x);
+  link_alike(here, here.from(1), core, core + 1, width - 1, step, left + 1);
+  if (!first) link_alike(here, above, core, core_row(y - 1), width, step, up_.data() + active_.x);
   return {core - active_.x, left_.data(), up_.data()};
 }
 
-void Segmenter::choose_cores(std::span<Run> runs, int area_min_px) {
+void Segmenter::choose_cores(std::span<ComponentRun> runs, int area_min_px) {
   std::size_t count = 0;
   const int least = std::max(area_min_px / kCoreAreaDivisor, 1);
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (runs[i].root == static_cast<std::int32_t>(i) && runs[i].area_px >= least)
-      roots_[count++] = static_cast<std::int32_t>(i);
-  if (count > kMaxRegions) {
-    const auto larger = [&](std::int32_t a, std::int32_t b) {
-      const auto area = [&](std::int32_t i) { return runs[static_cast<std::size_t>(i)].area_px; };
-      return area(a) != area(b) ? area(a) > area(b) : a < b;
-    };
-    std::nth_element(roots_.begin(), roots_.begin() + kMaxRegions,
-                     roots_.begin() + static_cast<std::ptrdiff_t>(count), larger);
-    dropped_ += static_cast<int>(count) - kMaxRegions;
-    count = kMaxRegions;
-    std::sort(roots_.begin(), roots_.begin() + kMaxRegions);
+  const auto larger = [&](std::int32_t a, std::int32_t b) {
+    const auto area = [&](std::int32_t i) { return runs[static_cast<std::size_t>(i)].area_px; };
+    return area(a) != area(b) ? area(a) > area(b) : a < b;
+  };
+  // Once there are too many, a heap with the smallest on top.
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto root = static_cast<std::int32_t>(i);
+    if (runs[i].root != root || runs[i].area_px < least) continue;
+    if (count < kMaxRegions) {
+      roots_[count++] = root;
+      if (count == kMaxRegions) std::make_heap(roots_.begin(), roots_.end(), larger);
+      continue;
+    }
+    ++dropped_;
+    if (!larger(root, roots_[0])) continue;
+    std::pop_heap(roots_.begin(), roots_.end(), larger);
+    roots_[count - 1] = root;
+    std::push_heap(roots_.begin(), roots_.end(), larger);
   }
+  std::sort(roots_.begin(), roots_.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t k = 0; k < count; ++k)
     runs[static_cast<std::size_t>(roots_[k])].label = static_cast<std::uint16_t>(k + 1);
-  for (Run& run : runs) run.label = runs[static_cast<std::size_t>(run.root)].label;
+  for (ComponentRun& run : runs) run.label = runs[static_cast<std::size_t>(run.root)].label;
   core_count_ = count;
 }
 
-void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours, bool are_codes) {
+void Segmenter::measure_cores(std::span<const ComponentRun> runs, const EnhancedFrame& frame) {
+  const Planes& colours = frame.planes;
   std::fill_n(cores_.begin(), core_count_, Core{});
   for (const Run& run : runs) {
     if (run.label == 0) continue;
     Core& core = cores_[run.label - 1U];
-    const auto begin = static_cast<std::size_t>(run.row * colours.stride_px + run.begin);
+    const auto begin = colours.place(run.begin, run.row);
     const std::size_t length = static_cast<std::size_t>(run.end - run.begin);
     std::uint32_t red = 0, green = 0, blue = 0;
     for (std::size_t i = begin; i < begin + length; ++i) {
@@ -156,7 +157,7 @@ void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours, 
   }
   for (std::size_t k = 0; k < core_count_; ++k) {
     const Core& core = cores_[k];
-    if (are_codes) {
+    if (frame.codes != nullptr) {
       for (std::size_t channel = 0; channel < 3; ++channel)
         colours_[k].share[channel] =
             static_cast<Byte>((core.rgb[channel] + core.area / 2) / core.area);
@@ -169,28 +170,34 @@ void Segmenter::measure_cores(std::span<const Run> runs, const Planes& colours, 
   }
 }
 
-void Segmenter::paint_cores(std::span<const Run> runs, const Shares& shares) {
-  growth_.begin();
+// Runs of `border`, a row of bytes.
+void Segmenter::wait_in_row(int y, const Byte* border) {
   const int end = active_.x + active_.width;
+  for (int x = end_of_bytes(border, active_.x, end, 0); x < end;) {
+    const int stop = end_of_bytes(border, x, end, 255);
+    growth_.wait(y, x, stop);
+    x = end_of_bytes(border, stop, end, 0);
+  }
+}
+
+// What is foreground and in no run waits first, then the runs too small for a core.
+void Segmenter::paint_cores(std::span<const ComponentRun> runs) {
+  growth_.begin();
+  std::size_t next = 0;
+  Byte* border = left_.data();
   for (int y = active_.y; y < active_.y + active_.height; ++y) {
-    const auto first = static_cast<std::size_t>(y * stride_px_ + active_.x);
-    const auto width = static_cast<std::size_t>(active_.width);
-    std::fill_n(labels_.data() + first, width, std::uint16_t{0});
-    Byte* border = left_.data();
-    mark_border(shares.foreground.data() + first, core_.data() + first, width, border + active_.x);
-    for (int x = end_of_bytes(border, active_.x, end, 0); x < end;) {
-      const int stop = end_of_bytes(border, x, end, 255);
-      growth_.wait(y, x, stop);
-      x = end_of_bytes(border, stop, end, 0);
+    std::uint16_t* labels = labels_.data() + y * stride_px_;
+    std::fill_n(labels + active_.x, active_.width, std::uint16_t{0});
+    std::copy_n(shares_.foreground(y), active_.width, border + active_.x);
+    for (; next < runs.size() && runs[next].row == y; ++next) {
+      const Run& run = runs[next];
+      std::fill_n(border + run.begin, run.end - run.begin, Byte{0});
+      std::fill_n(labels + run.begin, run.end - run.begin, run.label);
     }
+    wait_in_row(y, border);
   }
-  for (const Run& run : runs) {
-    if (run.label == 0)
-      growth_.wait(run.row, run.begin, run.end);
-    else
-      std::fill_n(labels_.begin() + run.row * stride_px_ + run.begin, run.end - run.begin,
-                  run.label);
-  }
+  for (const Run& run : runs)
+    if (run.label == 0) growth_.wait(run.row, run.begin, run.end);
 }
 
 // Labels without a run would keep the number of a core.
@@ -228,12 +235,8 @@ void Segmenter::find_region_runs() {
           clear_labels_from(x, y);
           return;
         }
-        runs_[run_count_++] = {static_cast<std::uint16_t>(y),
-                               static_cast<std::uint16_t>(x),
-                               static_cast<std::uint16_t>(stop),
-                               label,
-                               0,
-                               0};
+        runs_[run_count_++] = {static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(x),
+                               static_cast<std::uint16_t>(stop), label};
       }
       x = stop;
     }
@@ -241,11 +244,11 @@ void Segmenter::find_region_runs() {
 }
 
 void Segmenter::measure_regions() {
-  std::fill_n(measured_.begin(), core_count_, Region{});
+  std::fill_n(regions_.begin(), core_count_, Region{});
   const auto runs = runs_.first(run_count_);
-  for (const Run& run : runs) grow_box(measured_[run.label - 1U].box, run);
+  for (const Run& run : runs) grow_box(regions_[run.label - 1U].box, run);
   for (const Run& run : runs) {
-    Region& region = measured_[run.label - 1U];
+    Region& region = regions_[run.label - 1U];
     add_run(region.sums, run, region.box);
   }
 }
@@ -258,22 +261,37 @@ std::array<float, 3> Segmenter::mean_rgb(const Core& core) {
   return mean;
 }
 
+// Regions that are chosen, by their places, to the front in that order; the others' are lost.
+void Segmenter::move_to_front(std::span<const std::uint16_t> chosen) {
+  std::array<std::uint16_t, kMaxRegions> place_of, region_at;
+  std::iota(place_of.begin(), place_of.end(), std::uint16_t{0});
+  std::iota(region_at.begin(), region_at.end(), std::uint16_t{0});
+  for (std::size_t to = 0; to < chosen.size(); ++to) {
+    const std::size_t from = place_of[chosen[to]];
+    std::swap(regions_[to], regions_[from]);
+    std::swap(region_at[to], region_at[from]);
+    place_of[region_at[from]] = static_cast<std::uint16_t>(from);
+  }
+}
+
 // Forgets small regions and filaments and numbers the rest in the order of their first pixels.
 void Segmenter::drop_small(const VisionParameters& parameters) {
   enum : std::uint16_t { kUndecided = 0xFFFF };
   std::array<std::uint16_t, kMaxRegions + 1> relabel;
+  std::array<std::uint16_t, kMaxRegions> kept_regions;
   relabel.fill(kUndecided);
   region_count_ = 0;
   for (Run& run : runs_.first(run_count_)) {
     std::uint16_t& label = relabel[run.label];
     if (label == kUndecided) {
-      const Region& region = measured_[run.label - 1U];
+      const auto place = static_cast<std::uint16_t>(run.label - 1U);
+      Region& region = regions_[place];
       const bool kept = region.sums.area >= parameters.area_min_px &&
                         thickness_px_of(region.sums) >= parameters.thickness_min_px;
       label = 0;
       if (kept) {
-        regions_[region_count_] = region;
-        regions_[region_count_].mean_rgb = mean_rgb(cores_[run.label - 1U]);
+        region.mean_rgb = mean_rgb(cores_[place]);
+        kept_regions[region_count_] = place;
         label = static_cast<std::uint16_t>(++region_count_);
       }
     }
@@ -281,6 +299,7 @@ void Segmenter::drop_small(const VisionParameters& parameters) {
     run.label = label;
     std::fill_n(labels_.begin() + run.row * stride_px_ + run.begin, run.end - run.begin, label);
   }
+  move_to_front(std::span(kept_regions).first(region_count_));
 }
 
 // Writes the root of each region's piece of foreground to its `blob`, and all of them to roots_;
@@ -304,18 +323,20 @@ std::size_t Segmenter::find_roots(bool one_blob) {
 
 // Blobs that hold a region, largest first. Regions of a blob too many get blob = kMaxBlobs and are
 // left out of the graph.
-void Segmenter::find_blobs(const Shares& shares, bool one_blob) {
-  const std::span<Run> runs = components_.run(active_, [&](int y) {
-    const Byte* row = shares.foreground.data() + y * shares.stride_px;
+void Segmenter::find_blobs(bool one_blob) {
+  const std::span<ComponentRun> runs = components_.run(active_, [&](int y) {
+    const Byte* row = shares_.foreground(y) - active_.x;
     return RowLinks{row, row, row};
   });
   if (one_blob) {
-    for (Run& run : runs.subspan(std::min<std::size_t>(1, runs.size()))) {
+    for (ComponentRun& run : runs.subspan(std::min<std::size_t>(1, runs.size()))) {
       if (run.root == static_cast<std::int32_t>(&run - runs.data())) runs[0].area_px += run.area_px;
       run.root = 0;
     }
   }
-  const auto root = [&](std::int32_t i) -> Run& { return runs[static_cast<std::size_t>(i)]; };
+  const auto root = [&](std::int32_t i) -> ComponentRun& {
+    return runs[static_cast<std::size_t>(i)];
+  };
   const auto first = roots_.begin();
   auto last = first + static_cast<std::ptrdiff_t>(find_roots(one_blob));
   std::sort(first, last);
@@ -334,10 +355,10 @@ void Segmenter::find_blobs(const Shares& shares, bool one_blob) {
   measure_blobs(runs);
 }
 
-void Segmenter::measure_blobs(std::span<const Run> runs) {
+void Segmenter::measure_blobs(std::span<const ComponentRun> runs) {
   std::fill_n(blobs_.begin(), blob_count_, Blob{});
   std::array<PixelSums, kMaxBlobs> sums{};
-  for (const Run& run : runs) {
+  for (const ComponentRun& run : runs) {
     const int label = runs[static_cast<std::size_t>(run.root)].label;
     if (label == 0) continue;
     const auto k = static_cast<std::size_t>(label - 1);
@@ -354,25 +375,21 @@ void Segmenter::measure_blobs(std::span<const Run> runs) {
   }
 }
 
-RegionMap Segmenter::run(const Planes& colours, const Shares& shares,
-                         const VisionParameters& parameters) noexcept {
-  active_ = shares.active;
-  const std::span<Run> cores = components_.run(
-      active_, [&](int y) { return link_core_row(shares, y, parameters.intensity_step); });
+RegionMap Segmenter::run(const EnhancedFrame& frame, const VisionParameters& parameters) noexcept {
+  active_ = frame.planes.active;
+  shares_.begin(frame, parameters);
+  const std::span<ComponentRun> cores = components_.run(
+      active_, [&](int y) { return link_core_row(frame, y, parameters.intensity_step); });
   dropped_ = components_.dropped_rows();
-  // Rows that found no room would show the cores of an earlier frame.
-  const int end = active_.y + active_.height;
-  for (int y = end - components_.dropped_rows(); y < end; ++y)
-    std::fill_n(core_.begin() + y * stride_px_ + active_.x, active_.width, Byte{0});
   choose_cores(cores, parameters.area_min_px);
-  measure_cores(cores, colours, shares.are_codes);
-  paint_cores(cores, shares);
-  growth_.run(shares, colours_.first(core_count_), parameters, {labels_, stride_px_, active_});
+  measure_cores(cores, frame);
+  paint_cores(cores);
+  growth_.run(shares_, colours_.first(core_count_), parameters, {labels_, stride_px_, active_});
   merge_joined_cores();
   find_region_runs();
   measure_regions();
   drop_small(parameters);
-  find_blobs(shares, parameters.one_blob);
+  find_blobs(parameters.one_blob);
   return {labels_,
           stride_px_,
           active_,

@@ -9,10 +9,9 @@
 
 #include "runtime/base/arena.h"
 #include "runtime/vision/components.h"
-#include "runtime/vision/enhance.h"
 #include "runtime/vision/pixel_sums.h"
-#include "runtime/vision/planes.h"
 #include "runtime/vision/region_growth.h"
+#include "runtime/vision/share_rows.h"
 #include "runtime/vision/view_graph.h"
 #include "runtime/vision/vision_parameters.h"
 
@@ -39,35 +38,40 @@ class Segmenter {
  public:
   void take(Arena& arena, int width_px, int height_px);
 
-  // O(pixels of the active part). `colours` are the smoothed planes.
-  RegionMap run(const Planes& colours, const Shares& shares,
-                const VisionParameters& parameters) noexcept;
+  // O(pixels of the active part).
+  RegionMap run(const EnhancedFrame& frame, const VisionParameters& parameters) noexcept;
+
+  // Memory that the next run takes back.
+  std::span<std::uint8_t> idle_memory() const { return growth_.idle_memory(); }
 
  private:
   struct Core;
-  RowLinks link_core_row(const Shares& shares, int y, int intensity_step);
-  void choose_cores(std::span<Run> runs, int area_min_px);
-  void measure_cores(std::span<const Run> runs, const Planes& colours, bool are_codes);
-  void paint_cores(std::span<const Run> runs, const Shares& shares);
+  RowLinks link_core_row(const EnhancedFrame& frame, int y, int intensity_step);
+  void choose_cores(std::span<ComponentRun> runs, int area_min_px);
+  void measure_cores(std::span<const ComponentRun> runs, const EnhancedFrame& frame);
+  void paint_cores(std::span<const ComponentRun> runs);
+  void wait_in_row(int y, const std::uint8_t* border);
   void merge_joined_cores();
   static std::array<float, 3> mean_rgb(const Core& core);
   void find_region_runs();
   void clear_labels_from(int x, int y);
   void measure_regions();
   void drop_small(const VisionParameters& parameters);
+  void move_to_front(std::span<const std::uint16_t> chosen);
   std::size_t find_roots(bool one_blob);
-  void find_blobs(const Shares& shares, bool one_blob);
-  void measure_blobs(std::span<const Run> runs);
+  void find_blobs(bool one_blob);
+  void measure_blobs(std::span<const ComponentRun> runs);
 
   Components components_;
-  std::span<std::uint8_t> core_, left_, up_;  // plane, row, row
+  ShareRows shares_;
+  std::span<std::uint8_t> core_;       // two rows
+  std::span<std::uint8_t> left_, up_;  // a row each
   std::span<std::int32_t> roots_;
   std::span<Core> cores_;
   std::span<CoreColour> colours_;
   RegionGrowth growth_;
   std::span<Run> runs_;
-  std::span<Region> measured_;  // by core
-  std::span<Region> regions_;
+  std::span<Region> regions_;  // by core, then those kept in their order
   std::span<Blob> blobs_;
   std::span<std::uint16_t> labels_;
   int stride_px_ = 0;

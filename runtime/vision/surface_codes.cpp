@@ -5,7 +5,7 @@
 namespace aspect {
 
 bool find_surface_codes(const Frame& frame, const VisionParameters& parameters, Planes& codes,
-                        Shares& shares) {
+                        CodeMasks& masks) {
   const Box box = box_of_numbers(frame, parameters, 1, 65535);
   codes.active = box;
   for (int y = box.y; y < box.y + box.height; ++y) {
@@ -15,7 +15,7 @@ bool find_surface_codes(const Frame& frame, const VisionParameters& parameters, 
       codes.red[i] = static_cast<std::uint8_t>(id & 0xFFU);
       codes.green[i] = static_cast<std::uint8_t>(id >> 8U);
       codes.blue[i] = 0;
-      shares.foreground[i] = shares.solid[i] = id != 0 ? 255 : 0;
+      masks.foreground[i] = masks.solid[i] = id != 0 ? 255 : 0;
     }
   }
   return !box.empty();

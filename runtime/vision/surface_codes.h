@@ -9,7 +9,7 @@ namespace aspect {
 
 // Fills codes and foreground. False where the frame shows no surface.
 bool find_surface_codes(const Frame& frame, const VisionParameters& parameters, Planes& codes,
-                        Shares& shares);
+                        CodeMasks& masks);
 
 // The id that a code stands for.
 int surface_id_of(const std::array<float, 3>& code);

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "runtime/vision/attributes.h"
-#include "runtime/vision/code_planes.h"
+#include "runtime/vision/enhance.h"
 #include "runtime/vision/relations.h"
 #include "runtime/vision/sensor_colour.h"
 #include "runtime/vision/surface_codes.h"
@@ -14,6 +14,8 @@
 namespace aspect {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 // Moves the `most` largest contours to the front, in the order that they are in, and returns how
 // many there are.
@@ -63,14 +65,18 @@ void Vision::prepare(Arena& arena, int width_px, int height_px, SensorKind senso
   sensor_ = sensor;
   width_px_ = std::min(width_px, kMaxFrameSide_px);
   height_px_ = std::min(height_px, kMaxFrameSide_px);
-  const bool has_codes = sensor == SensorKind::range || sensor == SensorKind::surface;
-  for (Planes* planes : {&raw_, &smoothed_})
-    *planes = sensor == SensorKind::grey ? take_grey_planes(arena, width_px_, height_px_)
-                                         : take_planes(arena, width_px_, height_px_);
-  shares_ = has_codes ? take_code_shares(arena, width_px_, height_px_)
-                      : take_shares(arena, width_px_, height_px_);
-  if (sensor == SensorKind::range) range_codes_.take(arena, width_px_, height_px_);
-  scratch_ = arena.take<std::uint8_t>(3 * static_cast<std::size_t>(width_px_));
+  colours_ = sensor == SensorKind::grey ? take_grey_planes(arena, width_px_, height_px_)
+                                        : take_planes(arena, width_px_, height_px_);
+  if (sensor == SensorKind::range || sensor == SensorKind::surface) {
+    masks_ = take_code_masks(arena, width_px_, height_px_);
+  } else {
+    bands_.take(arena, width_px_);
+  }
+  if (sensor == SensorKind::range) {
+    codes_ = take_planes(arena, width_px_, height_px_);
+    scratch_ = arena.take<std::uint8_t>(kMedianRows * static_cast<std::size_t>(width_px_));
+    range_codes_.take(arena, width_px_, height_px_);
+  }
   segmenter_.take(arena, width_px_, height_px_);
   tracer_.take(arena, width_px_, height_px_);
   contours_ = arena.take<Contour>(2 * kMaxRegions);
@@ -79,62 +85,54 @@ void Vision::prepare(Arena& arena, int width_px, int height_px, SensorKind senso
 }
 
 ViewGraph Vision::run(const Frame& frame, const VisionParameters& parameters) noexcept {
-  using Clock = std::chrono::steady_clock;
   times_ = {};
   regions_ = {};
-  if (frame.data == nullptr || frame.width_px > width_px_ || frame.height_px > height_px_)
-    return {};
+  if (!is_whole(frame) || frame.width_px > width_px_ || frame.height_px > height_px_) return {};
   if (parameters.sensor != sensor_ || !gives(sensor_, frame.format)) return {};
-  const auto start = Clock::now();
-  if (!convert(frame, parameters)) return {};
-  const auto converted = Clock::now();
-  const Planes& colours = enhance(parameters);
+  const bool has_colours = sensor_ == SensorKind::colour || sensor_ == SensorKind::grey;
+  if (!(has_colours ? see_colours(frame, parameters) : see_codes(frame, parameters))) return {};
   const auto enhanced = Clock::now();
-  regions_ = segmenter_.run(colours, shares_, cutting_parameters(parameters));
+  regions_ = segmenter_.run(enhanced_, cutting_parameters(parameters));
   const auto segmented = Clock::now();
   const ViewGraph graph = build_graph(parameters);
-  times_ = {converted - start, enhanced - converted, segmented - enhanced,
-            Clock::now() - segmented};
+  times_.segment = segmented - enhanced;
+  times_.features = Clock::now() - segmented;
   return graph;
 }
 
 // False where the frame shows nothing.
-bool Vision::convert(const Frame& frame, const VisionParameters& parameters) {
-  switch (sensor_) {
-    case SensorKind::colour:
-    case SensorKind::grey: {
-      const Box box = foreground_box(frame, parameters);
-      if (box.empty()) return false;
-      if (sensor_ == SensorKind::grey)
-        copy_grey(frame, box, raw_);
-      else
-        split_planes(frame, box, raw_);
-      return true;
-    }
-    case SensorKind::range:
-      return range_codes_.run(frame, parameters, raw_, shares_);
-    case SensorKind::surface:
-      return find_surface_codes(frame, parameters, raw_, shares_);
-  }
-  return false;
+bool Vision::see_colours(const Frame& frame, const VisionParameters& parameters) {
+  const auto start = Clock::now();
+  const Box box = foreground_box(frame, parameters);
+  const auto found = Clock::now();
+  if (box.empty()) return false;
+  bands_.run(frame, box, parameters.smooth, colours_);
+  enhanced_ = {colours_, nullptr, 0};
+  times_.convert = found - start + bands_.converting();
+  times_.enhance = bands_.smoothing();
+  return true;
 }
 
-// Ids are no quantities: there is nothing between two of them.
-const Planes& Vision::enhance(const VisionParameters& parameters) {
-  const bool smooths = parameters.smooth && sensor_ != SensorKind::surface;
-  if (smooths) smooth(raw_, scratch_, smoothed_);
-  const Planes& planes = smooths ? smoothed_ : raw_;
-  if (sensor_ == SensorKind::range)
-    show_codes(planes, code_step(parameters.range.normal_step_deg), shares_);
-  else if (sensor_ == SensorKind::surface)
-    show_codes(planes, 0, shares_);
-  else
-    normalise(planes, parameters, shares_);
-  return planes;
+// Likewise. Ids are no quantities: there is nothing between two of them to smooth.
+bool Vision::see_codes(const Frame& frame, const VisionParameters& parameters) {
+  const auto start = Clock::now();
+  const bool range = sensor_ == SensorKind::range, smooths = range && parameters.smooth;
+  Planes& raw = smooths ? codes_ : colours_;
+  const bool shows = range ? range_codes_.run(frame, parameters, raw, masks_)
+                           : find_surface_codes(frame, parameters, raw, masks_);
+  if (!shows) return false;
+  const auto converted = Clock::now();
+  if (smooths) smooth(codes_, scratch_, colours_);
+  const std::uint8_t step = range ? code_step(parameters.range.normal_step_deg) : std::uint8_t{0};
+  enhanced_ = {colours_, &masks_, step};
+  times_.convert = converted - start;
+  times_.enhance = Clock::now() - converted;
+  return true;
 }
 
 ViewGraph Vision::build_graph(const VisionParameters& parameters) {
   int dropped = regions_.dropped_regions;
+  tracer_.lend(segmenter_.idle_memory());
   const std::span<const TracedContour> traced =
       tracer_.run(regions_, parameters.area_min_px, dropped);
   std::copy(regions_.blobs.begin(), regions_.blobs.end(), blobs_.begin());

@@ -6,8 +6,9 @@
 #include <span>
 
 #include "runtime/base/arena.h"
+#include "runtime/vision/code_planes.h"
+#include "runtime/vision/colour_bands.h"
 #include "runtime/vision/contour_trace.h"
-#include "runtime/vision/enhance.h"
 #include "runtime/vision/frame.h"
 #include "runtime/vision/planes.h"
 #include "runtime/vision/range_codes.h"
@@ -28,8 +29,8 @@ class Vision {
   void prepare(Arena& arena, int width_px, int height_px, SensorKind sensor = SensorKind::colour);
 
   // The graph, and everything it points to, lives until the next run. A frame larger than was
-  // prepared for, without pixels, or of another sensor than prepared for, gives an empty graph.
-  // parameters.sensor must be what was prepared for, too. O(pixels).
+  // prepared for, without all its planes, or of another sensor than prepared for, gives an empty
+  // graph. parameters.sensor must be what was prepared for, too. O(pixels).
   ViewGraph run(const Frame& frame, const VisionParameters& parameters) noexcept;
 
   // Of the last run: for drawing and for the compiler's surface ids.
@@ -39,16 +40,20 @@ class Vision {
   int max_height_px() const { return height_px_; }
 
  private:
-  bool convert(const Frame& frame, const VisionParameters& parameters);
-  const Planes& enhance(const VisionParameters& parameters);
+  bool see_colours(const Frame& frame, const VisionParameters& parameters);
+  bool see_codes(const Frame& frame, const VisionParameters& parameters);
   ViewGraph build_graph(const VisionParameters& parameters);
 
   SensorKind sensor_ = SensorKind::colour;
   int width_px_ = 0, height_px_ = 0;
-  Planes raw_, smoothed_;
-  Shares shares_;
+  ColourBands bands_;
+  Planes colours_;
+  // Of sensors that measure something else.
+  Planes codes_;
+  CodeMasks masks_;
   std::span<std::uint8_t> scratch_;
   RangeCodes range_codes_;
+  EnhancedFrame enhanced_;
   Segmenter segmenter_;
   ContourTracer tracer_;
   std::span<Contour> contours_;

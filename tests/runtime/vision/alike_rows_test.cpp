@@ -16,7 +16,7 @@ constexpr std::size_t kPixels = 300;
 // Shares of noise, alike often enough that both answers come up.
 struct NoiseShares {
   std::array<std::vector<std::uint8_t>, 6> planes;
-  Shares shares;
+  ShareRow shares{};
 
   explicit NoiseShares(std::mt19937& random) {
     for (auto& plane : planes) {
@@ -25,15 +25,16 @@ struct NoiseShares {
         plane.push_back(static_cast<std::uint8_t>(random() % 8 == 0 ? random() : random() % range));
     }
     for (std::uint8_t& byte : planes[5]) byte = random() % 4 != 0 ? 255 : 0;
-    shares = {planes[0], planes[1], planes[2], planes[3], planes[4], planes[5], kPixels, {}};
+    shares = {planes[0].data(), planes[1].data(), planes[2].data(),
+              planes[3].data(), planes[4].data(), planes[5].data()};
   }
 };
 
-int difference(std::span<const std::uint8_t> plane, std::size_t i, std::size_t k) {
+int difference(const std::uint8_t* plane, std::size_t i, std::size_t k) {
   return std::abs(plane[i] - plane[k]);
 }
 
-bool plainly_alike(const Shares& s, std::size_t i, std::size_t k, int intensity_step) {
+bool plainly_alike(const ShareRow& s, std::size_t i, std::size_t k, int intensity_step) {
   const int allowed = std::max(s.tolerance[i], s.tolerance[k]);
   return difference(s.red, i, k) <= allowed && difference(s.green, i, k) <= allowed &&
          difference(s.blue, i, k) <= allowed && difference(s.intensity, i, k) <= intensity_step;
@@ -56,7 +57,7 @@ TEST_CASE("pixels that must be alike are, unless one is background") {
     const auto step = static_cast<std::uint8_t>(round % 2 == 0 ? 255 : random() % 40);
     const std::vector<std::uint8_t> before = random_flags(random);
     std::vector<std::uint8_t> core = before;
-    require_alike(ShareRow(noise.shares, a), ShareRow(noise.shares, b), count, step, core.data());
+    require_alike(noise.shares.from(a), noise.shares.from(b), count, step, core.data());
     for (std::size_t i = 0; i < kPixels; ++i) {
       const bool background =
           i < count && (noise.planes[5][a + i] == 0 || noise.planes[5][b + i] == 0);
@@ -78,8 +79,8 @@ TEST_CASE("pixels are linked where they are alike and both core") {
     const auto step = static_cast<std::uint8_t>(round % 2 == 0 ? 255 : random() % 40);
     const std::vector<std::uint8_t> core_a = random_flags(random), core_b = random_flags(random);
     std::vector<std::uint8_t> link(kPixels, 7);
-    link_alike(ShareRow(noise.shares, a), ShareRow(noise.shares, b), core_a.data(), core_b.data(),
-               count, step, link.data());
+    link_alike(noise.shares.from(a), noise.shares.from(b), core_a.data(), core_b.data(), count,
+               step, link.data());
     for (std::size_t i = 0; i < count; ++i) {
       const bool linked =
           core_a[i] != 0 && core_b[i] != 0 && plainly_alike(noise.shares, a + i, b + i, step);

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/rounds.h"
 #include "tests/runtime/vision/pictures.h"
 
 namespace aspect {
@@ -84,7 +85,7 @@ ShapeClass shape_of(const cv::Mat& picture) {
 
 TEST_CASE("moments, centres, areas and Hu's invariants are OpenCV's") {
   std::mt19937 random(20);
-  for (int round = 0; round < 25; ++round) {
+  for (int round = 0; round < rounds(25); ++round) {
     const cv::Mat picture = polygon_picture(random, {kSize_px, 150}, 3 + round % 6);
     OwnedVision vision(picture.cols, picture.rows);
     const ViewGraph graph = vision.run(picture, exact_parameters());
@@ -193,7 +194,7 @@ TEST_CASE("shape classes part halfway between the invariants of their ideals") {
 
 TEST_CASE("circles and ellipses of any direction are circles") {
   std::mt19937 random(21);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < rounds(100); ++round) {
     const RandomMap map(random);
     std::vector<cv::Point2d> rim;
     for (int k = 0; k < 180; ++k) {
@@ -211,7 +212,7 @@ TEST_CASE("circles and ellipses of any direction are circles") {
 
 TEST_CASE("rectangles and parallelograms of any direction are squares") {
   std::mt19937 random(22);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < rounds(100); ++round) {
     const RandomMap map(random);
     REQUIRE(shape_of(polygon_of({map(-0.7, -0.7), map(0.7, -0.7), map(0.7, 0.7),
                                  map(-0.7, 0.7)})) == ShapeClass::square);
@@ -225,7 +226,7 @@ TEST_CASE("rectangles and parallelograms of any direction are squares") {
 
 TEST_CASE("triangles of any direction are triangles") {
   std::mt19937 random(23);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < rounds(100); ++round) {
     const RandomMap map(random);
     REQUIRE(shape_of(polygon_of({map(1, 0), map(-0.6, 0.8), map(-0.6, -0.8)})) ==
             ShapeClass::triangle);

@@ -27,7 +27,7 @@ Box whole(const cv::Mat& mask) {
   return {0, 0, mask.cols, mask.rows};
 }
 
-std::span<Run> run_on(Components& components, const cv::Mat& mask, const Box& box) {
+std::span<ComponentRun> run_on(Components& components, const cv::Mat& mask, const Box& box) {
   return components.run(box, [&](int y) {
     const auto* row = mask.ptr<std::uint8_t>(y);
     return RowLinks{row, row, row};
@@ -35,9 +35,9 @@ std::span<Run> run_on(Components& components, const cv::Mat& mask, const Box& bo
 }
 
 // Roots of the runs' pixels plus one, 0 elsewhere; checks that runs do not overlap.
-cv::Mat painted(std::span<const Run> runs, cv::Size size) {
+cv::Mat painted(std::span<const ComponentRun> runs, cv::Size size) {
   cv::Mat labels = cv::Mat::zeros(size, CV_32S);
-  for (const Run& run : runs)
+  for (const ComponentRun& run : runs)
     for (int x = run.begin; x < run.end; ++x) {
       REQUIRE(labels.at<int>(run.row, x) == 0);
       labels.at<int>(run.row, x) = run.root + 1;
@@ -46,14 +46,15 @@ cv::Mat painted(std::span<const Run> runs, cv::Size size) {
 }
 
 void check_against_opencv(const cv::Mat& mask) {
-  OwnedComponents owned(mask.size());
-  const std::span<Run> runs = run_on(owned.components, mask, whole(mask));
+  // Room for twice as many runs: masks are more crowded than pictures.
+  OwnedComponents owned({mask.cols, 2 * mask.rows});
+  const std::span<ComponentRun> runs = run_on(owned.components, mask, whole(mask));
   REQUIRE(owned.components.dropped_rows() == 0);
   cv::Mat expected, stats, centres;
   cv::connectedComponentsWithStats(mask, expected, stats, centres, 4, CV_32S);
   REQUIRE(same_partition(painted(runs, mask.size()), expected));
-  for (const Run& run : runs) {
-    const Run& root = runs[static_cast<std::size_t>(run.root)];
+  for (const ComponentRun& run : runs) {
+    const ComponentRun& root = runs[static_cast<std::size_t>(run.root)];
     REQUIRE(root.root == run.root);
     REQUIRE(root.area_px == stats.at<int>(expected.at<int>(run.row, run.begin), cv::CC_STAT_AREA));
     for (int x = run.begin; x < run.end; ++x) REQUIRE(&owned.components.run_at(x, run.row) == &run);
@@ -69,13 +70,13 @@ TEST_CASE("components of random masks are OpenCV's, with their areas") {
         cv::Size(17, 33), cv::Size(64, 48), cv::Size(131, 77)})
     for (const double density : {0.0, 0.03, 0.3, 0.5, 0.6, 0.7, 0.9, 1.0}) {
       const cv::Mat mask = random_mask(random, size, density);
-      // Rarely more runs than a quarter of the pixels: those are the next test's.
+      // Rarely more runs than there is room for: those are the next test's.
       int runs = 0;
       for (int y = 0; y < mask.rows; ++y)
         for (int x = 0; x < mask.cols; ++x)
           if (mask.at<std::uint8_t>(y, x) != 0 && (x == 0 || mask.at<std::uint8_t>(y, x - 1) == 0))
             ++runs;
-      if (runs <= size.area() / kRunsPerPixelDivisor + size.width) check_against_opencv(mask);
+      if (runs <= 2 * size.area() / kRunsPerPixelDivisor + size.width) check_against_opencv(mask);
     }
 }
 
@@ -111,14 +112,15 @@ TEST_CASE("a link that is missing parts pixels that touch") {
                      up[] = {255, 255};
   OwnedComponents owned({8, 8});
   const auto links = [&](int y) { return RowLinks{counts, y == 2 ? joined : apart, up}; };
-  const std::span<Run> runs = owned.components.run({0, 0, 2, 3}, links);
+  const std::span<ComponentRun> runs = owned.components.run({0, 0, 2, 3}, links);
   REQUIRE(runs.size() == 5);
-  for (const Run& run : runs) REQUIRE(run.root == 0);
+  for (const ComponentRun& run : runs) REQUIRE(run.root == 0);
   REQUIRE(runs[0].area_px == 6);
   // Where nothing links upwards, rows stay apart too.
   const auto rows = [&](int) { return RowLinks{counts, joined, apart}; };
-  for (const Run& run : owned.components.run({0, 0, 2, 3}, rows)) REQUIRE(run.root == run.row);
-  const std::span<Run> two = owned.components.run({0, 0, 2, 2}, links);
+  for (const ComponentRun& run : owned.components.run({0, 0, 2, 3}, rows))
+    REQUIRE(run.root == run.row);
+  const std::span<ComponentRun> two = owned.components.run({0, 0, 2, 2}, links);
   REQUIRE(two.size() == 4);
   REQUIRE(two[3].root == 1);
 }
@@ -129,19 +131,19 @@ TEST_CASE("too many runs drop the lowest rows and leave the rest right") {
     for (int x = 0; x < size.width; x += 2) mask.col(x) = 255;
     OwnedComponents owned(size);
     for (int round = 0; round < 2; ++round) {
-      const std::span<Run> runs = run_on(owned.components, mask, whole(mask));
+      const std::span<ComponentRun> runs = run_on(owned.components, mask, whole(mask));
       const int kept = size.height - owned.components.dropped_rows();
       REQUIRE(owned.components.dropped_rows() > 0);
       REQUIRE(runs.size() <=
               static_cast<std::size_t>(size.area() / kRunsPerPixelDivisor + size.width));
       REQUIRE(runs.size() == static_cast<std::size_t>(kept * ((size.width + 1) / 2)));
-      for (const Run& run : runs) REQUIRE(run.row < kept);
-      for (const Run& run : runs.first(static_cast<std::size_t>((size.width + 1) / 2)))
+      for (const ComponentRun& run : runs) REQUIRE(run.row < kept);
+      for (const ComponentRun& run : runs.first(static_cast<std::size_t>((size.width + 1) / 2)))
         REQUIRE(run.area_px == kept);
     }
     // The next, easier picture is not harmed.
     const cv::Mat full(size, CV_8U, 255);
-    const std::span<Run> runs = run_on(owned.components, full, whole(full));
+    const std::span<ComponentRun> runs = run_on(owned.components, full, whole(full));
     REQUIRE(owned.components.dropped_rows() == 0);
     REQUIRE(runs[0].area_px == size.area());
   }

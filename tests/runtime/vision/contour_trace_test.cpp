@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/rounds.h"
 #include "tests/runtime/vision/pictures.h"
 
 namespace aspect {
@@ -24,6 +25,7 @@ using PixelSet = std::set<std::pair<int, int>>;
 struct DrawnMap {
   std::vector<std::uint16_t> labels;
   std::vector<Run> runs;
+  std::vector<std::uint8_t> chains;
   RegionMap map;
   OwnedArena memory;
   ContourTracer tracer;
@@ -39,11 +41,13 @@ struct DrawnMap {
         while (x < width && picture.at<int>(y, x) == label) ++x;
         if (label != 0)
           runs.push_back({static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(begin),
-                          static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(label), 0, 0});
+                          static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(label)});
       }
     map = {labels, width, {0, 0, width, height}, runs, {}, {}, 0};
     Arena arena = memory.arena();
     tracer.take(arena, width, height);
+    chains.resize(labels.size() / 2 + 1024);
+    tracer.lend(chains);
   }
 
   static std::size_t tracer_bytes(cv::Size size) {
@@ -160,7 +164,7 @@ TEST_CASE("borders of random regions are OpenCV's, external and internal") {
 
 TEST_CASE("borders of regions that touch each other are OpenCV's") {
   std::mt19937 random(19);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < rounds(60); ++round) {
     cv::Mat picture = noise_picture(random, {40, 30});
     cv::GaussianBlur(picture, picture, {}, 1 + round % 3);
     cv::Mat first;

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/rounds.h"
 #include "tests/runtime/vision/pictures.h"
 
 namespace aspect {
@@ -72,7 +73,7 @@ ContourFeature random_feature(std::mt19937& random) {
 
 TEST_CASE("turning the picture by a quarter turns the features") {
   std::mt19937 random(24);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < rounds(20); ++round) {
     const cv::Mat picture = polygon_picture(random, {kSize_px, 140}, 3 + round % 5);
     const std::vector<ContourFeature> features = features_of(picture);
     REQUIRE_FALSE(features.empty());
@@ -94,7 +95,7 @@ TEST_CASE("turning the picture by a quarter turns the features") {
 TEST_CASE("turns add up") {
   std::mt19937 random(25);
   std::uniform_real_distribution<float> angle(-7, 7);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(200); ++round) {
     const ContourFeature feature = random_feature(random);
     const float a = angle(random), b = angle(random);
     const ContourFeature twice =
@@ -136,7 +137,7 @@ TEST_CASE("moments turn as those of turned points do") {
 TEST_CASE("a contour's type does not change with turns") {
   std::mt19937 random(27);
   std::uniform_real_distribution<float> angle(-4, 4);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(200); ++round) {
     const ContourFeature feature = random_feature(random);
     const float a = angle(random);
     const TypeAttributes before = type_attributes(feature);

@@ -37,7 +37,7 @@ cv::Mat drawn_polygons(std::mt19937& random, cv::Size size, int count) {
   std::uniform_int_distribution<int> x(-10, size.width + 10), y(-10, size.height + 10);
   for (int i = 0; i < count; ++i) {
     std::vector<cv::Point> corners;
-    for (int k = 0; k < 3 + i % 3; ++k) corners.emplace_back(x(random), y(random));
+    for (int k = 0; k < 3 + i % 3; ++k) corners.push_back(cv::Point{x(random), y(random)});
     cv::fillPoly(drawn, std::vector<std::vector<cv::Point>>{corners}, colour(i));
   }
   return drawn;
@@ -103,6 +103,21 @@ VisionParameters exact_parameters() {
 Frame frame_of(const cv::Mat& picture) {
   return {picture.data, picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step),
           PixelFormat::rgb8};
+}
+
+std::vector<double> areas_of(const cv::Mat& picture, const VisionParameters& parameters) {
+  OwnedVision vision(picture.cols, picture.rows);
+  vision.run(picture, parameters);
+  std::vector<double> areas;
+  for (const Region& region : vision.regions().regions) areas.push_back(region.sums.area);
+  std::sort(areas.begin(), areas.end());
+  return areas;
+}
+
+cv::Mat blurred(const cv::Mat& picture) {
+  cv::Mat out;
+  cv::GaussianBlur(picture, out, {}, 1.0);
+  return out;
 }
 
 cv::Mat label_picture(const RegionMap& map, cv::Size size) {
@@ -215,8 +230,8 @@ cv::Mat surface_picture(std::mt19937& random, cv::Size size) {
   cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
   const auto side = static_cast<double>(std::min(size.width, size.height));
   std::uniform_real_distribution<double> jitter(-0.04, 0.04), start(0, 2 * std::numbers::pi);
-  const cv::Point2d centre(size.width / 2.0 + side * jitter(random),
-                           size.height / 2.0 + side * jitter(random));
+  const cv::Point2d centre{size.width / 2.0 + side * jitter(random),
+                           size.height / 2.0 + side * jitter(random)};
   const int sectors = 3 + static_cast<int>(random() % 3);
   const double first = start(random), step = 2 * std::numbers::pi / sectors;
   const auto rim = [&](double angle) {

@@ -49,6 +49,12 @@ VisionParameters exact_parameters();
 
 Frame frame_of(const cv::Mat& picture);
 
+// Areas of its regions, the smallest first.
+std::vector<double> areas_of(const cv::Mat& picture, const VisionParameters& parameters);
+
+// By a lens that is a little out of focus.
+cv::Mat blurred(const cv::Mat& picture);
+
 // Labels of the whole frame, 0 outside the active part: type CV_32S.
 cv::Mat label_picture(const RegionMap& map, cv::Size size);
 

@@ -47,7 +47,7 @@ void check_holds_foreground(const cv::Mat& picture, const Box& roi, const Box& b
 TEST_CASE("the foreground box holds every foreground pixel of the region of interest") {
   std::mt19937 random(1);
   for (int round = 0; round < 300; ++round) {
-    const cv::Size size(1 + static_cast<int>(random() % 150), 1 + static_cast<int>(random() % 40));
+    const cv::Size size{1 + static_cast<int>(random() % 150), 1 + static_cast<int>(random() % 40)};
     const cv::Mat picture = sparse_picture(random, size);
     VisionParameters parameters;
     parameters.intensity_min = 20 + static_cast<int>(random() % 200);
@@ -86,33 +86,6 @@ TEST_CASE("the margin stays within the region of interest, which is clipped to t
 TEST_CASE("a dark picture has no foreground box") {
   const cv::Mat picture(40, 50, CV_8UC3, cv::Scalar(15, 15, 15));
   REQUIRE(foreground_box(frame_of(picture), {}).empty());
-}
-
-TEST_CASE("planes hold the channels of the box and nothing else is touched") {
-  std::mt19937 random(2);
-  const cv::Mat picture = noise_picture(random, {37, 21});
-  OwnedArena memory(4096);
-  Arena arena = memory.arena();
-  Planes planes = take_planes(arena, 40, 25);
-  for (const auto plane : {planes.red, planes.green, planes.blue})
-    std::fill(plane.begin(), plane.end(), std::uint8_t{7});
-  const Box box{3, 4, 30, 11};
-  for (const PixelFormat format : {PixelFormat::rgb8, PixelFormat::bgr8}) {
-    Frame frame = frame_of(picture);
-    frame.format = format;
-    split_planes(frame, box, planes);
-    REQUIRE(planes.active == box);
-    const int red = format == PixelFormat::rgb8 ? 0 : 2;
-    for (int y = 0; y < 25; ++y)
-      for (int x = 0; x < 40; ++x) {
-        const auto i = static_cast<std::size_t>(y * planes.stride_px + x);
-        const bool filled = inside(box, x, y);
-        const cv::Vec3b pixel = filled ? picture.at<cv::Vec3b>(y, x) : cv::Vec3b(7, 7, 7);
-        REQUIRE(planes.red[i] == pixel[red]);
-        REQUIRE(planes.green[i] == pixel[1]);
-        REQUIRE(planes.blue[i] == pixel[2 - red]);
-      }
-  }
 }
 
 }  // namespace aspect

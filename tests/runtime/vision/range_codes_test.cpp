@@ -5,6 +5,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/rounds.h"
 #include "tests/runtime/vision/pictures.h"
 #include "tests/runtime/vision/range_scenes.h"
 
@@ -94,16 +95,16 @@ int region_count(const Body& body, const Point3& direction) {
 }  // namespace
 
 TEST_CASE("the visible planes of a cube are the regions of its range frame, from anywhere") {
-  check_views(cube_body(), 40, 0, 1.0);
+  check_views(cube_body(), rounds(40), 0, 1.0);
 }
 
 TEST_CASE("the visible planes of an L are its regions, where one hides part of another too") {
-  check_views(l_body(), 40, 0, 0.99);
+  check_views(l_body(), rounds(40), 0, 0.99);
 }
 
 TEST_CASE("noise of two steps of the depth changes no plane") {
-  check_views(cube_body(), 20, 2, 1.0);
-  check_views(l_body(), 20, 2, 0.98);
+  check_views(cube_body(), rounds(20), 2, 1.0);
+  check_views(l_body(), rounds(20), 2, 0.98);
 }
 
 TEST_CASE("parallel faces one behind the other are two regions, at the edge that hides") {

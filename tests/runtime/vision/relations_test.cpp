@@ -42,8 +42,10 @@ const Relation& relation(std::span<const Relation> all, int from, int to) {
 std::vector<Contour> scattered(std::mt19937& random, int count) {
   std::uniform_real_distribution<float> place(0, 640);
   std::vector<Contour> contours;
-  for (int i = 0; i < count; ++i)
-    contours.push_back(contour_at(place(random), place(random), static_cast<std::uint16_t>(i + 1)));
+  for (int i = 0; i < count; ++i) {
+    const Point2 centre{place(random), place(random)};
+    contours.push_back(contour_at(centre.x, centre.y, static_cast<std::uint16_t>(i + 1)));
+  }
   return contours;
 }
 

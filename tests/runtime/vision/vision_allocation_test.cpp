@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/rounds.h"
 #include "tests/runtime/base/allocation_counter.h"
 #include "tests/runtime/vision/pictures.h"
 
@@ -15,8 +16,8 @@ std::vector<cv::Mat> varied_frames() {
   std::vector<cv::Mat> frames = {cv::Mat::zeros(96, 128, CV_8UC3),
                                  cv::Mat(96, 128, CV_8UC3, cv::Scalar(255, 255, 255))};
   for (int i = 0; i < 20; ++i) {
-    const cv::Size size(20 + static_cast<int>(random() % 109),
-                        20 + static_cast<int>(random() % 77));
+    const cv::Size size{20 + static_cast<int>(random() % 109),
+                        20 + static_cast<int>(random() % 77)};
     frames.push_back(polygon_picture(random, size, 3 + i % 8));
     frames.push_back(noise_picture(random, size));
     cv::Mat soft;
@@ -61,7 +62,7 @@ TEST_CASE("frames of other sensors take no memory from the heap either") {
                                                              : PixelFormat::label16;
     std::size_t contours = 0;
     const std::uint64_t before = allocation_count();
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < rounds(100); ++i) {
       // Fields of 16 rows and 32 bytes, and noise in every fifth frame.
       for (std::size_t k = 0; k < bytes.size(); ++k) {
         const bool starts_field = k % 32 == 0 && k / 256 % 16 == 0;

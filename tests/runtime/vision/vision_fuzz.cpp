@@ -15,6 +15,8 @@
 #include "runtime/vision/vision.h"
 #include "runtime/vision/vision_limits.h"
 
+#include "tests/rounds.h"
+
 namespace aspect {
 namespace {
 
@@ -179,7 +181,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   std::mt19937 random(40);
-  for (int round = 0; round < 4000; ++round) {
+  for (int round = 0; round < aspect::rounds(4000); ++round) {
     std::vector<std::uint8_t> input(random() % (round % 10 == 0 ? 4000 : 300));
     for (std::uint8_t& byte : input) byte = static_cast<std::uint8_t>(random());
     LLVMFuzzerTestOneInput(input.data(), input.size());

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/rounds.h"
 #include "tests/runtime/vision/graph_bytes.h"
 #include "tests/runtime/vision/pictures.h"
 
@@ -48,7 +49,7 @@ void check_spans(const ViewGraph& graph) {
 
 TEST_CASE("a frame with padded rows equals the packed one") {
   std::mt19937 random(31);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < rounds(10); ++round) {
     const cv::Mat packed = polygon_picture(random, {150, 110}, 5);
     cv::Mat wide = noise_picture(random, {190, 110});
     packed.copyTo(wide(cv::Rect(0, 0, 150, 110)));
@@ -73,7 +74,7 @@ TEST_CASE("rows may run upwards") {
 
 TEST_CASE("a frame with blue first equals the one with red first") {
   std::mt19937 random(33);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < rounds(10); ++round) {
     const cv::Mat picture = polygon_picture(random, {150, 110}, 5);
     cv::Mat swapped;
     cv::cvtColor(picture, swapped, cv::COLOR_RGB2BGR);
@@ -182,7 +183,7 @@ TEST_CASE("as one blob all pieces belong together") {
 TEST_CASE("the same frame gives the same bytes again, whatever came between") {
   std::mt19937 random(34);
   OwnedVision vision(150, 110);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < rounds(20); ++round) {
     const cv::Mat picture =
         round % 2 == 0 ? polygon_picture(random, {150, 110}, 6) : noise_picture(random, {150, 110});
     const GraphBytes first(vision.run(picture));
@@ -201,7 +202,7 @@ TEST_CASE("the same frame gives the same bytes again, whatever came between") {
 TEST_CASE("Vision prepared for larger frames sees smaller ones as one made for them does") {
   std::mt19937 random(35);
   OwnedVision large(300, 200);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < rounds(10); ++round) {
     const cv::Mat picture = polygon_picture(random, {150, 110}, 6);
     OwnedVision fitting(150, 110);
     REQUIRE(GraphBytes(large.run(picture)) == GraphBytes(fitting.run(picture)));
@@ -211,8 +212,8 @@ TEST_CASE("Vision prepared for larger frames sees smaller ones as one made for t
 TEST_CASE("frames of noise of many sizes and parameters run clean") {
   std::mt19937 random(36);
   OwnedVision vision(140, 100);
-  for (int round = 0; round < 400; ++round) {
-    const cv::Size size(1 + static_cast<int>(random() % 140), 1 + static_cast<int>(random() % 100));
+  for (int round = 0; round < rounds(400); ++round) {
+    const cv::Size size{1 + static_cast<int>(random() % 140), 1 + static_cast<int>(random() % 100)};
     cv::Mat picture = noise_picture(random, size);
     if (round % 3 == 0) cv::GaussianBlur(picture, picture, {}, 1 + round % 4);
     VisionParameters parameters;

@@ -1,0 +1,96 @@
+#include "runtime/vision/pixel_rows.h"
+
+#include <algorithm>
+
+#include "runtime/vision/bayer_rows.h"
+
+namespace aspect {
+namespace {
+
+using Byte = std::uint8_t;
+
+// 64 pixels at a time: a plain maximum that compilers turn into vector code.
+bool any_at_least(const Byte* bytes, int count, Byte least) {
+  constexpr int kChunk = 192;
+  int i = 0;
+  for (; i + kChunk <= count; i += kChunk) {
+    Byte highest = 0;
+    for (int k = 0; k < kChunk; ++k) highest = std::max(highest, bytes[i + k]);
+    if (highest >= least) return true;
+  }
+  for (; i < count; ++i)
+    if (bytes[i] >= least) return true;
+  return false;
+}
+
+void split_row(const Byte* pixel, int count, Byte* __restrict first, Byte* __restrict second,
+               Byte* __restrict third) {
+  for (int x = 0; x < count; ++x) {
+    first[x] = pixel[3 * x];
+    second[x] = pixel[3 * x + 1];
+    third[x] = pixel[3 * x + 2];
+  }
+}
+
+bool is_bayer(PixelFormat format) {
+  return format == PixelFormat::bayer_rggb8 || format == PixelFormat::bayer_grbg8 ||
+         format == PixelFormat::bayer_gbrg8 || format == PixelFormat::bayer_bggr8;
+}
+
+bool has_second_plane(PixelFormat format) {
+  return format == PixelFormat::nv12 || format == PixelFormat::nv21;
+}
+
+bool has_pairs(PixelFormat format) {
+  return format == PixelFormat::yuyv8 || format == PixelFormat::uyvy8 || has_second_plane(format);
+}
+
+}  // namespace
+
+bool is_whole(const Frame& frame) {
+  if (frame.data == nullptr) return false;
+  if (has_second_plane(frame.format) && frame.chroma == nullptr) return false;
+  const bool even_width = has_pairs(frame.format) || is_bayer(frame.format);
+  const bool even_height = has_second_plane(frame.format) || is_bayer(frame.format);
+  return !(even_width && frame.width_px % 2 != 0) && !(even_height && frame.height_px % 2 != 0);
+}
+
+YuvPairs PixelRows::pairs(int y) const {
+  const Byte* luma = row(y);
+  switch (frame_.format) {
+    case PixelFormat::uyvy8:
+      return {luma + 1, 2, luma, luma + 2, 4};
+    case PixelFormat::nv12:
+    case PixelFormat::nv21: {
+      const Byte* chroma = frame_.chroma + y / 2 * frame_.chroma_stride_bytes;
+      const int u = frame_.format == PixelFormat::nv12 ? 0 : 1;
+      return {luma, 1, chroma + u, chroma + 1 - u, 2};
+    }
+    default:
+      return {luma, 2, luma + 1, luma + 3, 4};
+  }
+}
+
+void PixelRows::colours(int y, int x, int count, ColourRow out) const {
+  if (frame_.format == PixelFormat::rgb8)
+    return split_row(row(y) + 3 * x, count, out.red, out.green, out.blue);
+  if (frame_.format == PixelFormat::bgr8)
+    return split_row(row(y) + 3 * x, count, out.blue, out.green, out.red);
+  if (is_bayer(frame_.format)) return bayer_row(frame_, y, x, count, out.red, out.green, out.blue);
+  if (has_pairs(frame_.format))
+    return yuv_row(pairs(y), factors_, x, count, out.red, out.green, out.blue);
+  for (Byte* channel : {out.red, out.green, out.blue}) std::copy_n(row(y) + x, count, channel);
+}
+
+void PixelRows::greys(int y, int x, int count, Byte* out) const {
+  if (has_pairs(frame_.format)) return luma_row(pairs(y), factors_, x, count, out);
+  std::copy_n(row(y) + x, count, out);
+}
+
+bool PixelRows::may_reach(Byte least, int y, int x, int count) const {
+  if (has_pairs(frame_.format)) return yuv_may_reach(pairs(y), factors_, least, x, count);
+  const int channels = bytes_per_pixel(frame_.format);
+  return any_at_least(row(y) + channels * x, channels * count, least);
+}
+
+}  // namespace aspect
