@@ -9,6 +9,7 @@
 #include "compiler/aspects/symmetry.h"
 #include "compiler/index/class_model.h"
 #include "compiler/index/contour_types.h"
+#include "compiler/index/golden_choice.h"
 #include "compiler/index/index_writer.h"
 #include "compiler/recipe.h"
 
@@ -26,6 +27,7 @@ CompileStatistics statistics_of(const Scene& scene, const CompileOptions& option
                                 const std::vector<Cluster>& clusters) {
   CompileStatistics s;
   s.object = scene.name;
+  s.sensor = options.vision.sensor;
   s.level = options.level;
   s.threshold = options.threshold;
   s.cluster_threshold = options.cluster_threshold;
@@ -119,8 +121,10 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   if (stopped()) return interrupted;
 
   const auto typed_at = Clock::now();
+  const std::vector<GoldenFrame> golden =
+      golden_candidates(workshop, subdivision, clusters, classes);
   WrittenIndex index = write_index({scene, scene_hash, options, subdivision, clusters,
-                                    sphere_classes, classes, types, symmetries});
+                                    sphere_classes, classes, types, symmetries, golden});
 
   CompileStatistics s = statistics_of(scene, options, subdivision, clusters);
   s.clusters_in_index = index.class_count;
@@ -130,6 +134,7 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   s.area_fraction_in_index = index.area_fraction;
   s.area_assigned_in_index = index.area_assigned;
   s.index_bytes = index.bytes.size();
+  s.golden_frame_bytes = index.golden_frame_bytes;
   s.threads = threads;
   s.seconds.cluster = seconds(clustered_at - subdivided_at);
   s.symmetries = symmetries.rotations.size();

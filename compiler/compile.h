@@ -22,6 +22,7 @@ struct CompileSeconds {
 
 struct CompileStatistics {
   std::string object;
+  SensorKind sensor = SensorKind::colour;
   int level = 0;
   double threshold = 0, cluster_threshold = 0;
   std::size_t triangles = 0;     // patches of the viewing sphere at completion
@@ -35,6 +36,7 @@ struct CompileStatistics {
   double area_assigned = 0, area_assigned_in_index = 0;  // and in divided ones
   double key_view_spacing_deg = 0;
   std::size_t index_bytes = 0;
+  std::size_t golden_frame_bytes = 0;  // of those; 0: there is none
   int threads = 0;
   CompileSeconds seconds;
 };

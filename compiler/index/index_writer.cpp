@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/index/golden_choice.h"
 #include "compiler/index/sphere_map.h"
 #include "compiler/scene/scene_extent.h"
 #include "runtime/recognition/class_index.h"
@@ -159,8 +160,21 @@ fb::Extent packed_extent(const Scene& scene) {
           most.z(),  extent.diameter, centre.x(), centre.y(), centre.z()};
 }
 
+flatbuffers::Offset<fb::GoldenFrame> write_golden_frame(flatbuffers::FlatBufferBuilder& builder,
+                                                        const std::optional<GoldenFrame>& golden) {
+  if (!golden) return {};
+  const auto palette = builder.CreateVector(golden->palette);
+  const auto rows = builder.CreateVector(golden->rows);
+  return fb::CreateGoldenFrame(
+      builder, static_cast<std::uint16_t>(golden->width_px),
+      static_cast<std::uint16_t>(golden->height_px), palette, rows, golden->class_id,
+      packed<std::uint16_t>(static_cast<double>(golden->score), 65535),
+      static_cast<std::uint8_t>(golden->regions), static_cast<std::uint8_t>(golden->matched));
+}
+
 std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays& arrays,
-                                    const std::vector<std::uint8_t>& map) {
+                                    const std::vector<std::uint8_t>& map,
+                                    const std::optional<GoldenFrame>& golden) {
   const CompileOptions& options = contents.options;
   const VisionParameters& v = options.vision;
   flatbuffers::FlatBufferBuilder builder(64 * 1024);
@@ -185,7 +199,8 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
       builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
       builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map),
       builder.CreateVectorOfStructs(packed_rotations(contents.symmetries)),
-      builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent);
+      builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent,
+      write_golden_frame(builder, golden));
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
                                   builder.GetBufferPointer() + builder.GetSize());
@@ -197,28 +212,45 @@ std::vector<std::uint8_t> serialise(const IndexContents& contents, const Arrays&
   return bytes;
 }
 
-}  // namespace
+// What an index is made of, once it is known what fits in.
+struct Draft {
+  Arrays arrays;
+  std::vector<std::uint8_t> map;
+};
 
-namespace {
+// The most bytes that a candidate takes.
+std::size_t golden_reserve(std::span<const GoldenFrame> candidates) {
+  std::size_t most = 0;
+  for (const GoldenFrame& golden : candidates) most = std::max(most, golden_bytes(golden));
+  return most;
+}
 
-std::vector<std::uint8_t> index_bytes(const IndexContents& contents, std::size_t class_count,
-                                      double spacing_deg, const std::vector<std::uint8_t>& map,
-                                      std::size_t& key_view_count) {
-  const Arrays arrays = fill_arrays(contents, class_count, spacing_deg);
-  key_view_count = arrays.key_views.size();
-  return serialise(contents, arrays, map);
+void add_golden_frame(const IndexContents& contents, const Draft& draft, WrittenIndex& written) {
+  if (contents.golden_candidates.empty()) return;
+  const Result<ClassIndex> index =
+      parse_index(std::as_bytes(std::span(written.bytes)), contents.scene.name);
+  if (!index) return;
+  const auto golden = choose_golden_frame(index.value(), contents.golden_candidates);
+  if (!golden) return;
+  const std::size_t bytes_without = written.bytes.size();
+  written.bytes = serialise(contents, draft.arrays, draft.map, golden);
+  written.golden_frame_bytes = written.bytes.size() - bytes_without;
 }
 
 }  // namespace
 
 WrittenIndex write_index(const IndexContents& contents) {
-  const std::size_t budget = contents.options.max_index_bytes;
+  const std::size_t budget =
+      contents.options.max_index_bytes - golden_reserve(contents.golden_candidates);
   WrittenIndex written;
+  Draft draft;
   const auto write = [&](std::size_t class_count, double spacing_deg,
                          const std::vector<std::uint8_t>& map) {
+    draft = {fill_arrays(contents, class_count, spacing_deg), map};
     written.class_count = class_count;
+    written.key_view_count = draft.arrays.key_views.size();
     written.key_view_spacing_deg = spacing_deg;
-    written.bytes = index_bytes(contents, class_count, spacing_deg, map, written.key_view_count);
+    written.bytes = serialise(contents, draft.arrays, map, std::nullopt);
     return written.bytes.size() <= budget;
   };
   const std::vector<std::uint8_t> whole_map = map_of(contents, contents.clusters.size());
@@ -235,6 +267,7 @@ WrittenIndex write_index(const IndexContents& contents) {
     }
     write(fits, spacing_deg, map_of(contents, fits));
   }
+  add_golden_frame(contents, draft, written);
   for (const Cluster& cluster : contents.clusters.first(written.class_count)) {
     written.area_fraction += cluster.area_fraction;
     written.area_assigned += cluster.area_assigned;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "runtime/base/fnv1a.h"
+#include "runtime/base/input_file.h"
 #include "runtime/recognition/assignment.h"
 #include "runtime/recognition/class_match.h"
 #include "schema/class_index_generated.h"
@@ -15,7 +15,7 @@ namespace {
 namespace fb = ::aspect::schema;
 
 constexpr float kDirectionUnit = 32767, kPositionUnit = 8192, kAreaUnit = 65535, kSecondUnit = 4096,
-                kThirdUnit = 16384;
+                kThirdUnit = 16384, kScoreUnit = 65535;
 
 // What is wrong with an index, or nothing. The file's name is put before it.
 struct Problem {
@@ -227,6 +227,24 @@ Problem unpack_symmetries(const fb::ClassIndex& root, ClassIndex& index) {
   return {};
 }
 
+// Absent in indexes made before there were any, and where no view was fit for it.
+Problem unpack_golden_frame(const fb::ClassIndex& root, ClassIndex& index) {
+  const fb::GoldenFrame* g = root.golden_frame();
+  if (g == nullptr) return {};
+  GoldenFrame golden{g->width_px(),
+                     g->height_px(),
+                     {g->palette()->begin(), g->palette()->end()},
+                     {g->rows()->begin(), g->rows()->end()},
+                     g->class_id(),
+                     g->regions(),
+                     g->matched(),
+                     static_cast<float>(g->score()) / kScoreUnit};
+  if (!is_sound(golden, index.vision.sensor) || golden.class_id >= index.classes.size())
+    return {"holds a golden frame that cannot be" + recompile()};
+  index.golden = std::move(golden);
+  return {};
+}
+
 Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
   const fb::Segmentation& s = *root.segmentation();
   if (!all_finite({s.thickness_min_px(), root.field_of_view_deg()}) ||
@@ -269,8 +287,8 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   const fb::ClassIndex& root = *fb::GetClassIndex(bytes.data());
   ClassIndex index;
   index.file_bytes = bytes.size();
-  for (const auto& unpack_part :
-       {unpack_settings, unpack_types, unpack_key_views, unpack_classes, unpack_symmetries}) {
+  for (const auto& unpack_part : {unpack_settings, unpack_types, unpack_key_views, unpack_classes,
+                                  unpack_symmetries, unpack_golden_frame}) {
     if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
   }
   if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);
@@ -278,20 +296,18 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
 }
 
 Result<IndexFileBytes> read_index_bytes(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error)
-    return Error{file.string() + ": cannot be read (" + error.message() +
+  InputFile input(file);
+  const std::optional<std::uint64_t> size = input.size();
+  if (!size)
+    return Error{file.string() + ": cannot be read (" + input.reason() +
                  "); give a .aspect file made by aspectc"};
-  if (size > kMaxIndexBytes)
-    return Error{file.string() + ": has " + std::to_string(size) +
+  if (*size > kMaxIndexBytes)
+    return Error{file.string() + ": has " + std::to_string(*size) +
                  " bytes, too many for a class index; give a .aspect file made by aspectc"};
   IndexFileBytes read;
-  read.size = static_cast<std::size_t>(size);
+  read.size = static_cast<std::size_t>(*size);
   read.words.resize(read.size / sizeof(std::uint64_t) + 1);
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(read.words.data()), static_cast<std::streamsize>(size));
-  if (stream.gcount() != static_cast<std::streamsize>(size))
+  if (!input.read(std::as_writable_bytes(std::span(read.words)).first(read.size)))
     return Error{file.string() + ": could not be read to its end; check the disk"};
   return read;
 }

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/base/result.h"
+#include "runtime/recognition/golden_frame.h"
 #include "runtime/vision/feature.h"
 #include "runtime/vision/vision_parameters.h"
 
@@ -91,6 +93,7 @@ struct ClassIndex {
   std::vector<std::array<float, 4>> symmetries;
   std::vector<Vector3> symmetry_axes;
   ObjectExtent extent;
+  std::optional<GoldenFrame> golden;  // for self_test.h
 
   template <typename T>
   static std::span<const T> part(const std::vector<T>& all, IndexRange range) {

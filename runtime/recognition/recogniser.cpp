@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/base/portable_math.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -11,7 +12,6 @@ namespace {
 
 // Classes that go on to the fit of their key views.
 constexpr std::size_t kMaxCandidates = 512;
-constexpr std::size_t kMaxReported = kMaxBlobs * std::size_t{kMaxHypotheses};
 
 // The view found is the mean of the key views that fit about as well as the best one of their
 // class and look from near it.
@@ -34,7 +34,8 @@ struct ViewMean {
     for (std::size_t k = 0; k < count; ++k) {
       const Vector3 &a = best.direction, &b = views[k]->direction;
       if (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < kNear_cos) continue;
-      const float weight = std::exp((best_cost - costs[k]) / scale);
+      const float weight =
+          static_cast<float>(portable_exp(static_cast<double>((best_cost - costs[k]) / scale)));
       for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weight * b[axis];
     }
     const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
@@ -59,8 +60,10 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   vision_.prepare(arena, width_px, height_px, parameters_.vision.sensor);
   class_matcher_.prepare(arena, indexes);
   candidates_ = arena.take<Hypothesis>(kMaxCandidates);
-  hypotheses_ = arena.take<Hypothesis>(kMaxReported);
-  contour_matches_ = arena.take<ContourMatch>(kMaxReported * 8);
+  const auto top = static_cast<std::size_t>(parameters_.top);
+  hypotheses_ = arena.take<Hypothesis>(kMaxBlobs * top);
+  // A frame has no more external contours than regions, and a hypothesis matches each once.
+  contour_matches_ = arena.take<ContourMatch>(kMaxRegions * top);
   objects_ = arena.take<SeenObject>(kMaxBlobs);
 }
 
@@ -106,8 +109,9 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, const Blob& blob) 
                                          hypotheses_.size() - hypothesis_count_});
   std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(reported), list.end(),
                     better);
-  for (const Hypothesis& hypothesis : list.first(reported)) report(hypothesis, seen);
-  return {blob.box, static_cast<int>(count), hypotheses_.subspan(first, reported)};
+  for (const Hypothesis& hypothesis : list.first(reported))
+    if (hypothesis.score >= parameters_.score_min) report(hypothesis, seen);
+  return {blob.box, static_cast<int>(count), hypotheses_.subspan(first, hypothesis_count_ - first)};
 }
 
 // Classes in which about as many contours can be matched as in the best one.
@@ -194,9 +198,9 @@ void Recogniser::raise_neighbours(std::size_t candidates) {
       const Vector3 &a = view.direction, &b = best.view;
       nearest = std::max(nearest, static_cast<double>(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]));
     }
-    const double angle = std::acos(std::clamp(nearest, -1.0, 1.0));
+    const double angle = portable_acos(std::clamp(nearest, -1.0, 1.0));
     hypothesis.score =
-        std::max(hypothesis.score, kShare * best.score * std::exp(-angle / kReach_rad));
+        std::max(hypothesis.score, kShare * best.score * portable_exp(-angle / kReach_rad));
   }
 }
 

@@ -30,6 +30,10 @@ struct RecogniserParameters {
   // Hypotheses reported for each object seen, 1 to kMaxHypotheses.
   int top = 10;
 
+  // Hypotheses with a lower score are not reported; 0 reports all. Typical 0.2 with ranking by
+  // views, whose scores lie between 0 and 1.
+  double score_min = 0;
+
   // Contours a class may match fewer than the best class and still be fitted, typical 1. More
   // forgives more wrong contour types and costs time.
   int shortlist_slack = 1;

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/base/portable_math.h"
+
 namespace aspect {
 namespace {
 
@@ -18,12 +20,16 @@ float square(float x) {
 }
 
 float radius(Point2 p) {
-  return std::hypot(p.x, p.y);
+  return portable_hypot(p.x, p.y);
+}
+
+float angle_rad(float up, float across) {
+  return static_cast<float>(portable_atan2(static_cast<double>(up), static_cast<double>(across)));
 }
 
 // Direction of the main axis of a second moment.
 float axis_rad(const Moments& m) {
-  return std::atan2(2 * m.xy, m.xx - m.yy) / 2;
+  return angle_rad(2 * m.xy, m.xx - m.yy) / 2;
 }
 
 }  // namespace
@@ -97,8 +103,9 @@ std::size_t ViewFitter::candidate_turns(std::span<const KeyContour> key) {
       std::max_element(key.begin(), key.end(), [&](const KeyContour& p, const KeyContour& q) {
         return larger(p.feature, q.feature);
       })->feature;
-  const float angle = axis_rad(a.moments) - axis_rad(b.moments);
-  const float c = std::cos(angle), s = std::sin(angle);
+  const auto angle = static_cast<double>(axis_rad(a.moments) - axis_rad(b.moments));
+  const float c = static_cast<float>(portable_cos(angle)),
+              s = static_cast<float>(portable_sin(angle));
   for (const Turn& turn : {Turn{c, s}, Turn{-s, c}, Turn{-c, -s}, Turn{s, -c}})
     turns_[count++] = turn;
   return count;
@@ -149,7 +156,7 @@ ViewFitter::Turn ViewFitter::aligned(std::span<const KeyContour> key, const Assi
     along += b.area * (p.x * q.x + p.y * q.y);
     across += b.area * (p.y * q.x - p.x * q.y);
   }
-  const float length = std::hypot(along, across);
+  const float length = portable_hypot(along, across);
   constexpr float kLeast = 1e-3F;
   return length < kLeast ? otherwise : Turn{along / length, across / length};
 }
@@ -171,7 +178,7 @@ ViewFit ViewFitter::fit(std::span<const KeyContour> key, float give_up) {
   const std::size_t turns = candidate_turns(key);
   for (std::size_t t = 0; t < turns; ++t) attempt(turns_[t]);
   attempt(aligned(key, best.assignment, best_turn));
-  best.roll_rad = std::atan2(best_turn.sin, best_turn.cos);
+  best.roll_rad = angle_rad(best_turn.sin, best_turn.cos);
   return best;
 }
 

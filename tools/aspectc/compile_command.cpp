@@ -58,6 +58,12 @@ Result<CompiledIndex> compile_object(const PreparedObject& object, const ObjectF
   return compiled;
 }
 
+std::string no_golden_frame_reason(const CompileStatistics& s) {
+  return s.sensor == SensorKind::range
+             ? "a range index holds no golden frame"
+             : "no golden frame, since no view was recognised without doubt in few enough bytes";
+}
+
 void print_summary(const fs::path& file, const CompileStatistics& s) {
   fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n",
              file.native(), s.clusters_in_index, 100 * s.area_assigned_in_index, s.views,
@@ -68,6 +74,11 @@ void print_summary(const fs::path& file, const CompileStatistics& s) {
         "keeps more\n",
         file.native(), s.clusters - s.clusters_in_index, s.clusters,
         100 * (s.area_assigned - s.area_assigned_in_index));
+  if (s.golden_frame_bytes == 0)
+    fmt::print(stderr,
+               "aspectc: warning: {}: {}; aspectd will test no more than its checksum when it "
+               "starts\n",
+               file.native(), no_golden_frame_reason(s));
 }
 
 Result<Done> write_statistics(const std::string& file, const std::vector<CompileStatistics>& all,

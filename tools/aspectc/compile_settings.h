@@ -13,7 +13,7 @@
 namespace aspect {
 
 // [camera]. Either the field of view or the focal lengths; pixel centres are at whole numbers.
-struct CameraSettings {
+struct StudioCameraSettings {
   std::optional<int> width_px, height_px;
   std::optional<double> field_of_view_deg;
   std::optional<double> fx_px, fy_px, cx_px, cy_px;
@@ -50,7 +50,7 @@ struct MeshSettings {
 
 struct CompileSettings {
   CompileOptions options;
-  CameraSettings camera;
+  StudioCameraSettings camera;
   LightSettings light;
   std::vector<SurfaceSettings> surfaces;
   MeshSettings mesh;

@@ -100,7 +100,7 @@ constexpr std::string_view kMesh = R"(
 
 std::string init_text(const std::string& scene_file, const Scene& scene) {
   CompileSettings settings;
-  settings.camera = camera_settings_of(scene.studio);
+  settings.camera = studio_camera_of(scene.studio);
   const Eigen::Vector3d& ambient = scene.studio.ambient;
   settings.light.ambient = {ambient.x(), ambient.y(), ambient.z()};
   std::string text = fmt::format(

@@ -6,11 +6,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <opencv2/imgcodecs.hpp>
 
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/index_bundle.h"
 #include "runtime/service/recognition_json.h"
+#include "tools/aspectc/command_failure.h"
 #include "tools/aspectc/inspect_store.h"
+#include "tools/aspectc/whole_file.h"
+#include "tools/draw/frame_canvas.h"
 
 namespace aspect {
 namespace {
@@ -33,6 +37,26 @@ Json contour_json(const ClassIndex& index, const ClassContour& contour, std::siz
   return json;
 }
 
+Json golden_json(const ClassIndex& index) {
+  if (!index.golden) return nullptr;
+  const GoldenFrame& golden = *index.golden;
+  return {{"width", golden.width_px},
+          {"height", golden.height_px},
+          {"bytes", golden.palette.size() + golden.rows.size()},
+          {"class", golden.class_id},
+          {"regions", golden.regions},
+          {"matched", golden.matched},
+          {"score", golden.score}};
+}
+
+void print_golden_frame(const ClassIndex& index) {
+  if (!index.golden) return fmt::print("no golden frame\n");
+  const GoldenFrame& golden = *index.golden;
+  fmt::print("golden frame: {} x {} px in {} bytes, class {} with {} of {} contours at {:.4f}\n",
+             golden.width_px, golden.height_px, golden.palette.size() + golden.rows.size(),
+             golden.class_id, golden.matched, golden.regions, golden.score);
+}
+
 Json index_json(const ClassIndex& index) {
   Json json{{"object", index.object},
             {"bytes", index.file_bytes},
@@ -53,6 +77,7 @@ Json index_json(const ClassIndex& index) {
               {"max", index.extent.most},
               {"diameter", index.extent.diameter},
               {"centre", index.extent.centre}}},
+            {"golden_frame", golden_json(index)},
             {"classes", Json::array()}};
   for (const AspectClass& aspect : index.classes) {
     Json entry{{"area_fraction", aspect.area_fraction},
@@ -91,6 +116,7 @@ void print_index(const ClassIndex& index) {
   fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n",
              index.classes.size(), 100 * area, index.types.size(), index.key_views.size());
   print_symmetries(index);
+  print_golden_frame(index);
   fmt::print("class  area %  views  keys  from                    contours (surfaces: types)\n");
   for (std::size_t c = 0; c < index.classes.size(); ++c) {
     const AspectClass& aspect = index.classes[c];
@@ -106,6 +132,22 @@ void print_index(const ClassIndex& index) {
   }
 }
 
+int write_golden_frame(const InspectCommand& command) {
+  const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
+  if (!indexes) return fail(indexes.error());
+  if (indexes.value().size() != 1)
+    return fail(command.index + ": holds several indexes; give one of a single object");
+  const ClassIndex& index = indexes.value().front();
+  if (!index.golden) return fail(command.index + ": has no golden frame; aspectc warned of it");
+  const SensorKind sensor = index.vision.sensor;
+  std::vector<std::uint8_t> pixels(golden_picture_bytes(*index.golden, sensor)), png;
+  if (!cv::imencode(".png", recorded_picture(decode_golden_frame(*index.golden, sensor, pixels)),
+                    png))
+    return fail(command.golden + ": the picture could not be encoded");
+  const Result<Done> done = write_whole_file(command.golden, png);
+  return done ? 0 : fail(done.error());
+}
+
 }  // namespace
 
 CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
@@ -113,10 +155,12 @@ CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
   inspect->add_option("index", command.index, "class index (.aspect) or store (.store)")
       ->required();
   inspect->add_flag("--json", command.json, "everything, as one JSON object");
+  inspect->add_option("--golden", command.golden, "write the golden frame to this picture (.png)");
   return inspect;
 }
 
 int run_inspect(const InspectCommand& command) {
+  if (!command.golden.empty()) return write_golden_frame(command);
   if (is_store(command.index)) return run_inspect_store(command.index, command.json);
   const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
   if (!indexes) {

@@ -9,6 +9,7 @@ namespace aspect {
 struct InspectCommand {
   std::string index;
   bool json = false;
+  std::string golden;  // picture to write the golden frame to
 };
 
 CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command);

@@ -30,7 +30,7 @@ std::string words_of(const Scene& scene) {
   return words;
 }
 
-void apply_lens(const CameraSettings& camera, Studio& studio) {
+void apply_lens(const StudioCameraSettings& camera, Studio& studio) {
   Lens lens;
   lens.fx_px = *camera.fx_px;
   lens.fy_px = *camera.fy_px;
@@ -46,7 +46,7 @@ bool is_same(const Intrinsics& a, const Intrinsics& b) {
          a.fy_px == b.fy_px && a.cx_px == b.cx_px && a.cy_px == b.cy_px;
 }
 
-void apply_camera(const CameraSettings& camera, Studio& studio) {
+void apply_camera(const StudioCameraSettings& camera, Studio& studio) {
   const auto shape = [&] { return static_cast<double>(studio.width_px) / studio.height_px; };
   const double shape_before = shape();
   studio.width_px = camera.width_px.value_or(studio.width_px);
@@ -132,9 +132,9 @@ Result<Done> apply_settings(const CompileSettings& settings, Scene& scene) {
   return Done{};
 }
 
-CameraSettings camera_settings_of(const Studio& studio) {
+StudioCameraSettings studio_camera_of(const Studio& studio) {
   const Intrinsics in = intrinsics_of(studio);
-  CameraSettings camera;
+  StudioCameraSettings camera;
   camera.width_px = in.width_px;
   camera.height_px = in.height_px;
   camera.field_of_view_deg = studio.angle_deg;

@@ -14,6 +14,6 @@ namespace aspect {
 Result<Done> apply_settings(const CompileSettings& settings, Scene& scene);
 
 // The camera as [camera] would have to say it.
-CameraSettings camera_settings_of(const Studio& studio);
+StudioCameraSettings studio_camera_of(const Studio& studio);
 
 }  // namespace aspect

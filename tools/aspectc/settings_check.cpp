@@ -15,7 +15,7 @@ const Option& named(std::string_view table, std::string_view key) {
 
 std::optional<SettingsFault> find_fault(const CompileSettings& settings, const NameOption& name) {
   const CompileOptions& o = settings.options;
-  const CameraSettings& c = settings.camera;
+  const StudioCameraSettings& c = settings.camera;
   const Option &clusters = named("classes", "cluster_threshold"),
                &patches = named("subdivision", "threshold"), &fx = named("camera", "fx"),
                &fy = named("camera", "fy"), &cx = named("camera", "cx"),

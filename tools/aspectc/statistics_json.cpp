@@ -31,6 +31,7 @@ nlohmann::ordered_json json_of(const CompileStatistics& s) {
           {"key_views", s.key_views},
           {"key_view_spacing_deg", s.key_view_spacing_deg},
           {"index_bytes", s.index_bytes},
+          {"golden_frame_bytes", s.golden_frame_bytes},
           {"threads", s.threads},
           {"seconds",
            {{"total", s.seconds.total},

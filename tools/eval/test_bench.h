@@ -5,8 +5,8 @@
 #include <span>
 
 #include "compiler/render/sensor.h"
+#include "runtime/recognition/sized_recogniser.h"
 #include "tools/eval/evaluation.h"
-#include "tools/replay/sized_recogniser.h"
 
 namespace aspect {
 

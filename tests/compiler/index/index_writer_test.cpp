@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "compiler/index/golden_choice.h"
 #include "compiler/index/sphere_map.h"
 #include "runtime/recognition/class_index.h"
 #include "schema/class_index_generated.h"
@@ -251,6 +252,30 @@ TEST_CASE("an index keeps within its budget, by fewer key views first, then fewe
     CHECK(written.area_fraction == Approx(area));
     larger = written;
   }
+}
+
+TEST_CASE("a golden frame keeps within the budget and within the bytes that it was said to take") {
+  DescribedModel described = described_model("l_shape", 3);
+  const Renderer renderer = Renderer::create(described.model.scene).value();
+  for (const std::size_t kib : {1024U, 32U, 12U, 5U}) {
+    described.options.max_index_bytes = kib * 1024;
+    const Workshop workshop{renderer, described.model.scene.studio, described.options, nullptr, {},
+                            nullptr};
+    const auto candidates = golden_candidates(workshop, described.model.subdivision,
+                                              described.clusters, described.classes);
+    IndexContents contents = described.contents();
+    contents.golden_candidates = candidates;
+    const WrittenIndex written = write_index(contents);
+    INFO(kib << " KiB, " << candidates.size() << " candidates");
+    CHECK(written.bytes.size() <= kib * 1024);
+    const ClassIndex index = parsed(written).value();
+    REQUIRE(index.golden);
+    CHECK(written.golden_frame_bytes > 0);
+    CHECK(written.golden_frame_bytes <= golden_bytes(*index.golden));
+    CHECK(golden_bytes(*index.golden) <= kib * 1024 / 8);
+    CHECK(index.golden->class_id < written.class_count);
+  }
+  CHECK_FALSE(parsed(write_index(described.contents())).value().golden);
 }
 
 TEST_CASE("more surfaces than 16 bits can count are left out, and the index can be read") {

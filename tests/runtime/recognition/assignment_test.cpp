@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include "tests/rounds.h"
+
 namespace aspect {
 namespace {
 
@@ -61,7 +63,7 @@ void check_consistent(const std::vector<double>& weights, std::size_t rows, std:
 TEST_CASE("the assignment is worth as much as the best of all matchings") {
   std::mt19937 random(1);
   Assignment assignment;
-  for (int round = 0; round < 2100; ++round) {
+  for (int round = 0; round < rounds(2100); ++round) {
     const std::size_t rows = 1 + random() % 6, columns = 1 + random() % 7;
     const std::vector<double> weights = random_weights(random, rows * columns, round % 3);
     assign(weights, rows, columns, assignment);

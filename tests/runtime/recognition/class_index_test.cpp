@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "schema/class_index_generated.h"
+#include "tests/rounds.h"
 #include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/recognition/hostile_index.h"
 
@@ -102,7 +103,7 @@ TEST_CASE("an index cut short anywhere is refused in one line") {
 
 TEST_CASE("any flipped bit is noticed") {
   std::mt19937 random(1);
-  for (int round = 0; round < 4000; ++round) {
+  for (int round = 0; round < rounds(4000); ++round) {
     IndexBytes bytes = sample();
     bytes[random() % bytes.size()] ^= static_cast<std::byte>(1U << random() % 8);
     const std::string error = try_index(bytes);
@@ -114,7 +115,7 @@ TEST_CASE("any flipped bit is noticed") {
 TEST_CASE("damage that the checksum hides neither crashes nor makes more than a line") {
   std::mt19937 random(2);
   int taken = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < rounds(20000); ++round) {
     IndexBytes bytes = sample();
     damage(bytes, random);
     if (round % 2 == 0) repair_checksum(bytes);
@@ -123,7 +124,7 @@ TEST_CASE("damage that the checksum hides neither crashes nor makes more than a 
     if (error.empty()) ++taken;
   }
   // What is only wrong, not dangerous, is taken; otherwise the test would not reach far.
-  CHECK(taken > 1000);
+  CHECK(taken > rounds(1000));
 }
 
 TEST_CASE("every reference is checked") {

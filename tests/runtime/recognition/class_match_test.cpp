@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/rounds.h"
 #include "tests/runtime/recognition/made_index.h"
 
 namespace aspect {
@@ -82,7 +83,7 @@ TEST_CASE("scores are those of equations 3.8 and 4.2 for more and for fewer cont
 TEST_CASE("matches are those that trying all finds, most matches first, then most weight") {
   std::mt19937 random(3);
   constexpr std::size_t kTypes = 8;
-  for (int round = 0; round < 500; ++round) {
+  for (int round = 0; round < rounds(500); ++round) {
     const MadeClass contours = random_class(random, kTypes);
     const MadeIndex made = made_index(kTypes, {contours});
     OwnedMatcher matcher(made.index);
@@ -107,7 +108,7 @@ TEST_CASE("a contour is of the nearest type, the lower one of two as near") {
   for (std::size_t type = 0; type < 10; ++type)
     CHECK(nearest_type(made.index, made.feature_of_type[type]) == type);
   std::mt19937 random(4);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < rounds(300); ++round) {
     const ContourFeature feature = random_feature(random);
     const TypeAttributes attributes = type_attributes(feature);
     const auto distance = [&](const TypeAttributes& type) {

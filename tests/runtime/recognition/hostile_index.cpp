@@ -5,8 +5,9 @@
 
 #include "compiler/index/sphere_map.h"
 #include "runtime/recognition/recogniser.h"
+#include "runtime/recognition/self_test.h"
 #include "schema/class_index_generated.h"
-#include "tests/compiler/aspects/compiled_model.h"
+#include "tests/runtime/recognition/model_samples.h"
 #include "tests/runtime/recognition/owned_recogniser.h"
 
 namespace aspect {
@@ -29,9 +30,7 @@ std::vector<std::uint8_t> picture() {
 }  // namespace
 
 IndexBytes sample_index_bytes() {
-  CompileOptions options = options_of_level(3);
-  options.max_index_bytes = 12 * 1024;
-  const std::vector<std::uint8_t> bytes = index_bytes_of(small_model_scene("cube"), options);
+  const std::vector<std::uint8_t> bytes = small_index_bytes();
   IndexBytes copy(bytes.size());
   std::memcpy(copy.data(), bytes.data(), bytes.size());
   return copy;
@@ -80,6 +79,7 @@ std::string try_index(std::span<const std::byte> bytes) {
   for (const SeenObject& object : seen.objects)
     for (const Hypothesis& h : object.hypotheses)
       ASPECT_CHECK(h.class_id < index.value().classes.size());
+  ASPECT_CHECK(self_test(index.value()).line.find('\n') == std::string::npos);
   static_cast<void>(decode_sphere_map(index.value().sphere_map, index.value().classes.size()).ok());
   return {};
 }

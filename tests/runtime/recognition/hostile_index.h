@@ -21,7 +21,8 @@ void repair_checksum(IndexBytes& bytes);
 // 1 to 8 changes: bits, bytes, and whole numbers such as sizes and offsets.
 void damage(IndexBytes& bytes, std::mt19937& random);
 
-// Parses, and uses what was accepted: a frame is recognised with it, its sphere map is read.
+// Parses, and uses what was accepted: a frame and its golden frame are recognised with it, its
+// sphere map is read.
 // Returns the error, or nothing where the bytes were accepted.
 std::string try_index(std::span<const std::byte> bytes);
 

@@ -7,6 +7,7 @@
 
 #include "compiler/index/bundle_writer.h"
 #include "schema/index_bundle_generated.h"
+#include "tests/rounds.h"
 #include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/recognition/hostile_index.h"
 
@@ -95,7 +96,7 @@ TEST_CASE("a bundle cut short anywhere or damaged at random is one line, or as i
                  StartsWith("hostile"));
   std::mt19937 random(3);
   int refused = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < rounds(3000); ++round) {
     Bytes bytes = bundle;
     const std::size_t range = round % 2 == 0 ? 64 : bytes.size();
     for (int change = 0; change < 2; ++change)
@@ -104,7 +105,7 @@ TEST_CASE("a bundle cut short anywhere or damaged at random is one line, or as i
     REQUIRE(outcome.find('\n') == std::string::npos);
     if (outcome.starts_with("hostile")) ++refused;
   }
-  CHECK(refused > 2000);
+  CHECK(refused > rounds(2000));
 }
 
 }  // namespace aspect

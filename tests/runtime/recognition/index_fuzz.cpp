@@ -8,6 +8,7 @@
 
 #include "compiler/index/bundle_writer.h"
 #include "runtime/recognition/index_bundle.h"
+#include "tests/rounds.h"
 #include "tests/runtime/recognition/hostile_index.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -36,19 +37,19 @@ aspect::IndexBytes damaged_bundle(const aspect::IndexBytes& index, std::mt19937&
 }
 
 int main() {
-  constexpr int kRounds = 3000;
+  const int all = aspect::rounds(3000);
   const aspect::IndexBytes sample = aspect::sample_index_bytes();
   // Without an index to damage the replay would test nothing.
   if (!aspect::try_index(sample).empty()) return EXIT_FAILURE;
   std::mt19937 random(20260101);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < all; ++round) {
     aspect::IndexBytes bytes = sample;
     aspect::damage(bytes, random);
     if (round % 10 == 0) bytes.resize(random() % bytes.size());
     if (round % 5 == 0) bytes = damaged_bundle(bytes, random);
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   }
-  std::printf("%d damaged indexes replayed\n", kRounds);
+  std::printf("%d damaged indexes replayed\n", all);
   return EXIT_SUCCESS;
 }
 #endif

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/rounds.h"
 #include "tests/runtime/recognition/made_index.h"
 #include "tests/runtime/recognition/owned_recogniser.h"
 #include "tests/runtime/recognition/rendered_views.h"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr int kLevel = 3;
 constexpr int kSide_px = 512;
-constexpr std::size_t kViews = 100;
+constexpr int kViews = 100;
 
 struct Model {
   std::string name;
@@ -92,7 +93,7 @@ TEST_CASE("objects are recognised from anywhere, and the view is found") {
   OwnedRecogniser owned = recogniser();
   for (Model& model : models()) {
     Score score;
-    for (std::size_t k = 0; k < kViews; ++k) {
+    for (int k = 0; k < rounds(kViews); ++k) {
       const Eigen::Vector3d direction = random_direction(random);
       const OwnedFrame frame = model.camera.view(direction);
       add_answer(score, owned.recognise(frame.frame()), model, direction, 0);
@@ -109,7 +110,7 @@ TEST_CASE("objects in rolled frames are recognised, and the roll is found") {
   OwnedRecogniser owned = recogniser();
   for (Model& model : models()) {
     Score score;
-    for (std::size_t k = 0; k < kViews; ++k) {
+    for (int k = 0; k < rounds(kViews); ++k) {
       const Eigen::Vector3d direction = random_direction(random);
       const double roll = any(random);
       const OwnedFrame frame = model.camera.view(direction, roll);
@@ -126,10 +127,12 @@ TEST_CASE("two objects in a picture are two objects in the answer, each with its
   std::mt19937 random(3);
   std::vector<Model> both = models();
   OwnedRecogniser owned = recogniser(2 * kSide_px);
-  std::size_t right = 0, rounds = 30;
-  for (std::size_t k = 0; k < rounds; ++k) {
-    const OwnedFrame frame = beside(both[k % 2].camera.view(random_direction(random)),
-                                    both[1 - k % 2].camera.view(random_direction(random)));
+  const auto all = static_cast<std::size_t>(rounds(30));
+  std::size_t right = 0;
+  for (std::size_t k = 0; k < all; ++k) {
+    const OwnedFrame first = both[k % 2].camera.view(random_direction(random));
+    const OwnedFrame second = both[1 - k % 2].camera.view(random_direction(random));
+    const OwnedFrame frame = beside(first, second);
     const Recognition seen = owned.recognise(frame.frame());
     if (seen.objects.size() != 2) continue;
     std::size_t found = 0;
@@ -140,7 +143,7 @@ TEST_CASE("two objects in a picture are two objects in the answer, each with its
     }
     if (found == 2) ++right;
   }
-  CHECK(right + 1 >= rounds);
+  CHECK(right + 1 >= all);
 }
 
 TEST_CASE("an empty frame, a frame of noise and no frame hold no object that matters") {
@@ -162,7 +165,7 @@ TEST_CASE("answers are ordered, within bounds, and each contour is named once") 
   std::mt19937 random(5);
   OwnedRecogniser owned = recogniser();
   for (Model& model : models()) {
-    for (int k = 0; k < 20; ++k) {
+    for (int k = 0; k < rounds(20); ++k) {
       const OwnedFrame frame = model.camera.view(random_direction(random));
       const Recognition seen = owned.recognise(frame.frame());
       for (const SeenObject& object : seen.objects) {
@@ -193,7 +196,7 @@ TEST_CASE("two recognisers over the same frames answer alike, whatever each saw 
   std::mt19937 random(6);
   std::vector<Model> both = models();
   OwnedRecogniser first = recogniser(), second = recogniser(2 * kSide_px);
-  for (std::size_t k = 0; k < 30; ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rounds(30)); ++k) {
     const OwnedFrame frame = both[k % 2].camera.view(random_direction(random), 0.1);
     const OwnedFrame other = both[1 - k % 2].camera.view(random_direction(random));
     static_cast<void>(second.recognise(beside(other, frame).frame()));
@@ -234,7 +237,7 @@ TEST_CASE("ranked by classes, a hundredth of weight decides between classes alik
   OwnedRecogniser owned({&twice, 1}, parameters, kSide_px, kSide_px);
   ModelCamera camera("cube");
   std::mt19937 random(7);
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < rounds(20); ++k) {
     const OwnedFrame frame = camera.view(random_direction(random));
     const Recognition seen = owned.recognise(frame.frame());
     REQUIRE(seen.objects.size() == 1);

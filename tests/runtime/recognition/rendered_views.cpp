@@ -3,28 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "tests/compiler/aspects/compiled_model.h"
+#include <span>
 
 namespace aspect {
 
 ClassIndex model_index(const std::string& name, int level) {
-  const std::vector<std::uint8_t> bytes =
-      index_bytes_of(model_scene(name), options_of_level(level));
+  const std::vector<std::uint8_t> bytes = model_index_bytes(name, level);
   return parse_index(std::as_bytes(std::span(bytes)), name).value();
-}
-
-ModelCamera::ModelCamera(const std::string& name)
-    : studio_(model_scene(name).studio), renderer_(Renderer::create(model_scene(name)).value()) {}
-
-OwnedFrame ModelCamera::view(const Eigen::Vector3d& direction, double roll_rad) {
-  Camera camera = camera_at(studio_, direction);
-  const Eigen::Vector3d x = camera.camera_from_object.row(0), y = camera.camera_from_object.row(1);
-  const double c = std::cos(roll_rad), s = std::sin(roll_rad);
-  camera.camera_from_object.row(0) = c * x - s * y;
-  camera.camera_from_object.row(1) = s * x + c * y;
-  renderer_.render(camera, picture_);
-  return {picture_.width_px, picture_.height_px, picture_.rgb};
 }
 
 OwnedFrame beside(const OwnedFrame& left, const OwnedFrame& right) {

@@ -6,35 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "compiler/render/renderer.h"
 #include "runtime/recognition/class_index.h"
+#include "tests/runtime/recognition/model_samples.h"
 
 namespace aspect {
 
-// A frame that owns its pixels.
-struct OwnedFrame {
-  int width_px = 0, height_px = 0;
-  std::vector<std::uint8_t> rgb;
-  Frame frame() const {
-    return {rgb.data(), width_px, height_px, std::ptrdiff_t{3} * width_px, PixelFormat::rgb8};
-  }
-};
-
 // Compiled at that level, as aspectc would.
 ClassIndex model_index(const std::string& name, int level);
-
-class ModelCamera {
- public:
-  explicit ModelCamera(const std::string& name);
-
-  // The camera is turned about its axis by -roll: the picture turns clockwise by roll.
-  OwnedFrame view(const Eigen::Vector3d& direction, double roll_rad = 0);
-
- private:
-  Studio studio_;
-  Renderer renderer_;
-  Picture picture_;
-};
 
 OwnedFrame beside(const OwnedFrame& left, const OwnedFrame& right);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "tests/rounds.h"
 #include "tests/runtime/recognition/made_index.h"
 
 namespace aspect {
@@ -74,7 +75,7 @@ float roll_cost(float angle) {
 TEST_CASE("a view turned by any angle costs its roll only, and the roll is found") {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> any(-kPi, kPi);
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < rounds(600); ++round) {
     const Features key = random_features(random, 1 + static_cast<std::size_t>(round) % 12);
     const float angle = any(random);
     const ViewFit found = fit(rolled(key, angle), key);
@@ -106,7 +107,7 @@ TEST_CASE("a single contour in the middle is turned by its main axis") {
 TEST_CASE("a mirrored view costs clearly more than a turned one") {
   std::mt19937 random(3);
   int close = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < rounds(300); ++round) {
     const Features key = random_features(random, 3 + static_cast<std::size_t>(round) % 6);
     if (fit(rolled(mirrored(key), static_cast<float>(round)), key).cost < 2) ++close;
   }
@@ -116,7 +117,7 @@ TEST_CASE("a mirrored view costs clearly more than a turned one") {
 TEST_CASE("a missing small contour costs little, a missing large one more") {
   std::mt19937 random(4);
   const ViewFitScales scales;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(200); ++round) {
     Features key = random_features(random, 5);
     key[2].area = 0.01F;
     key[3].area = 0.3F;

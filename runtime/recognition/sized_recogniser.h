@@ -1,0 +1,30 @@
+// A recogniser with its memory, which grows where a larger frame comes.
+#pragma once
+
+#include <span>
+
+#include "runtime/base/planned_memory.h"
+#include "runtime/recognition/recogniser.h"
+
+namespace aspect {
+
+class SizedRecogniser {
+ public:
+  // `indexes` must outlive it.
+  SizedRecogniser(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters)
+      : indexes_(indexes), parameters_(parameters) {}
+
+  // Before recognise(): has room for such a frame, or throws std::bad_alloc.
+  void make_room(int width_px, int height_px);
+  Recognition recognise(const Frame& frame) noexcept { return recogniser_.recognise(frame); }
+  const RegionMap& regions() const { return recogniser_.regions(); }
+
+ private:
+  std::span<const ClassIndex> indexes_;
+  RecogniserParameters parameters_;
+  int width_px_ = 0, height_px_ = 0;
+  PlannedMemory memory_;
+  Recogniser recogniser_;
+};
+
+}  // namespace aspect
