@@ -25,6 +25,9 @@ enum class CameraState : std::uint8_t {
 };
 std::string_view name_of(CameraState state);
 
+class V4l2Calls;
+struct DeviceFolders;
+
 // What a camera has agreed to.
 struct CameraPlan {
   std::string node, driver, card, bus;
@@ -41,7 +44,8 @@ struct CameraEvent {
   enum class Kind : std::uint8_t {
     frame,    // `frame` and what goes with it
     damaged,  // a frame came, but not whole: flagged by the driver, or too short
-    changed,  // another state than before; when it is streaming, the plan may be another one, too
+    changed,  // another state than before; streaming begins with the first whole frame, which the
+              // next call gives, and the plan may be another one, too
     woken,    // wake_descriptor is readable
     nothing,  // the time is over
   } kind = Kind::nothing;
@@ -58,6 +62,8 @@ struct CameraEvent {
 class Camera {
  public:
   explicit Camera(CameraSettings settings);
+  // With another kernel than the one that this runs on.
+  Camera(CameraSettings settings, V4l2Calls& calls, const DeviceFolders& folders);
   ~Camera();
   Camera(const Camera&) = delete;
   Camera& operator=(const Camera&) = delete;
@@ -68,7 +74,8 @@ class Camera {
 
   // The next thing that happens, at the latest after `timeout`; looks for the camera, opens it and
   // starts it as often as needed. While streaming it allocates nothing and makes no system calls
-  // but poll and those of V4L2. wake_descriptor: -1, or what else to wait for.
+  // but poll and those of V4L2; only a decoder, if the plan has one, takes memory with its first
+  // frames. wake_descriptor: -1, or what else to wait for; it comes before frames.
   [[nodiscard]] CameraEvent next(std::chrono::milliseconds timeout, int wake_descriptor) noexcept;
 
   // Of the last time that it was streaming.

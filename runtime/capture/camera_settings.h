@@ -14,6 +14,7 @@ namespace aspect {
 struct CameraControl {
   std::string name;        // the driver's, in lower case with underscores, as in v4l2-ctl
   std::int64_t value = 0;  // of a menu: the number of the item
+  friend bool operator==(const CameraControl&, const CameraControl&) = default;
 };
 
 struct CameraSettings {
@@ -29,6 +30,8 @@ struct CameraSettings {
 
   // A stream that gives nothing for so long is started anew.
   std::chrono::milliseconds stall{1000};
+
+  friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };
 
 }  // namespace aspect

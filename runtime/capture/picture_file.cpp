@@ -1,5 +1,3 @@
-#include "runtime/capture/picture_file.h"
-
 #include <fmt/format.h>
 #include <exception>
 #include <fstream>
@@ -7,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "runtime/capture/decoders.h"
 #include "runtime/capture/mat_frame.h"
 #include "runtime/capture/picture_header.h"
 #include "runtime/capture/stderr_capture.h"

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
-#include <opencv2/core/utils/logger.hpp>
 #include <string_view>
 #include <system_error>
 
-#include "runtime/capture/picture_file.h"
-#include "runtime/capture/video_file.h"
+#include "runtime/capture/decoders.h"
+#include "runtime/capture/raw_frames.h"
 
 namespace aspect {
 namespace {
@@ -29,13 +27,16 @@ bool ends_like(const fs::path& path, std::span<const std::string_view> endings) 
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
+// A picture may have its size in its name, too.
+bool is_raw(const fs::path& path) {
+  return is_raw_name(path) && !ends_like(path, kPictureEndings) && !ends_like(path, kVideoEndings);
+}
+
 }  // namespace
 
 RecordedFrames::RecordedFrames(std::span<const fs::path> paths, SensorKind sensor)
     : sensor_(sensor) {
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  // FFmpeg's threads log whenever they like; -8 is its AV_LOG_QUIET. A user's own choice stays.
-  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  silence_decoders();
   for (const fs::path& path : paths) add(path);
 }
 
@@ -53,6 +54,10 @@ void RecordedFrames::add(const fs::path& path) {
   if (fs::is_directory(status)) return add_folder(path);
   if (!fs::is_regular_file(status))
     return refuse("neither a file nor a folder; give a picture, a folder of pictures or a video");
+  if (is_raw(path)) {
+    items_.push_back({Kind::raw, path, {}, raw_frame_count(path)});
+    return;
+  }
   const bool is_video = ends_like(path, kVideoEndings);
   if (is_video && sensor_ != SensorKind::colour)
     return refuse(
@@ -67,7 +72,8 @@ void RecordedFrames::add_folder(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
        entry.increment(code)) {
     std::error_code unknown;
-    if (entry->is_regular_file(unknown) && ends_like(entry->path(), kPictureEndings))
+    if (entry->is_regular_file(unknown) &&
+        (ends_like(entry->path(), kPictureEndings) || is_raw(entry->path())))
       pictures.push_back(entry->path());
   }
   const std::string name = folder.native() + ": ";
@@ -87,20 +93,28 @@ void RecordedFrames::add_folder(const fs::path& folder) {
   }
   std::sort(pictures.begin(), pictures.end(),
             [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
-  for (fs::path& picture : pictures) items_.push_back({Kind::picture, std::move(picture), {}});
+  for (const fs::path& picture : pictures) {
+    if (is_raw(picture))
+      items_.push_back({Kind::raw, picture, {}, raw_frame_count(picture)});
+    else
+      items_.push_back({Kind::picture, picture, {}});
+  }
 }
 
 std::optional<std::size_t> RecordedFrames::count() const {
-  for (const Item& item : items_)
+  std::size_t frames = 0;
+  for (const Item& item : items_) {
     if (item.kind == Kind::video) return std::nullopt;
-  return items_.size();
+    frames += item.frames;
+  }
+  return frames;
 }
 
 FrameStatus RecordedFrames::next(CapturedFrame& frame) {
   FrameStatus status = FrameStatus::end;
   while (status == FrameStatus::end) {
-    if (video_ != nullptr) {
-      status = next_of_video(frame);
+    if (open_ != nullptr) {
+      status = next_of_open(frame);
     } else {
       if (next_item_ == items_.size()) return FrameStatus::end;
       status = open_item(items_[next_item_++], frame);
@@ -111,9 +125,9 @@ FrameStatus RecordedFrames::next(CapturedFrame& frame) {
   return status;
 }
 
-FrameStatus RecordedFrames::next_of_video(CapturedFrame& frame) {
-  const FrameStatus status = video_->next(frame);
-  if (status == FrameStatus::end) video_.reset();
+FrameStatus RecordedFrames::next_of_open(CapturedFrame& frame) {
+  const FrameStatus status = open_->next(frame);
+  if (status == FrameStatus::end) open_.reset();
   return status;
 }
 
@@ -122,8 +136,9 @@ FrameStatus RecordedFrames::open_item(const Item& item, CapturedFrame& frame) {
   frame.name = item.path.native();
   if (item.kind == Kind::picture)
     return read_picture(item.path, sensor_, frame) ? FrameStatus::frame : FrameStatus::failed;
-  if (item.kind == Kind::video) {
-    video_ = std::make_unique<VideoFile>(item.path);
+  if (item.kind == Kind::video || item.kind == Kind::raw) {
+    open_ = item.kind == Kind::video ? open_video(item.path)
+                                     : std::make_unique<RawFrames>(item.path, sensor_);
     return FrameStatus::end;
   }
   frame.error = item.error;

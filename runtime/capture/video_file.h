@@ -9,12 +9,12 @@
 
 namespace aspect {
 
-class VideoFile {
+class VideoFile : public FrameSource {
  public:
   explicit VideoFile(std::filesystem::path file) : file_(std::move(file)) {}
 
   // Fills in name, size, pixels or the error. After a failed frame only the end follows.
-  [[nodiscard]] FrameStatus next(CapturedFrame& frame);
+  [[nodiscard]] FrameStatus next(CapturedFrame& frame) override;
 
  private:
   bool open(CapturedFrame& frame);
