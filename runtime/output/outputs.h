@@ -3,58 +3,18 @@
 // time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "runtime/base/result.h"
+#include "runtime/output/output_settings.h"
 #include "runtime/vision/frame.h"
 
 namespace aspect {
-
-struct FileOutput {
-  std::filesystem::path path;
-  std::uint64_t max_bytes = 16U << 20U;  // a file that would grow beyond is rotated: .1 is newest
-  int keep = 3;                          // rotated files kept
-};
-struct TcpOutput {
-  std::string address = "127.0.0.1";  // numeric; 0.0.0.0 or :: for every interface
-  int port = 0;
-};
-struct MqttOutput {
-  std::string host = "127.0.0.1";
-  int port = 1883;
-  std::string topic = "aspect";
-  std::string client, user, password_file;
-};
-struct HttpOutput {
-  std::string address = "127.0.0.1";
-  int port = 8080;
-};
-// What happens when an object is seen, and again when it is no longer.
-struct TriggerOutput {
-  std::string object;                // name in the index
-  double score_min = 0;              // of its best hypothesis
-  int frames = 1;                    // that it must be seen in, or be missing from, in a row
-  std::vector<std::string> command;  // program and arguments; ASPECT_OBJECT, ASPECT_SEEN are set
-  std::string gpio_chip;             // /dev/gpiochip0
-  int gpio_line = -1;
-};
-
-struct OutputSettings {
-  bool standard_output = false;
-  std::optional<FileOutput> file;
-  std::optional<std::filesystem::path> unix_socket;
-  std::optional<TcpOutput> tcp;
-  std::optional<MqttOutput> mqtt;
-  std::optional<HttpOutput> http;
-  std::vector<TriggerOutput> triggers;
-};
 
 // What a trigger needs to know of one object seen in a frame.
 struct SeenName {
@@ -64,17 +24,25 @@ struct SeenName {
 
 struct OutputCounts {
   std::uint64_t lines = 0;
-  std::uint64_t readers = 0;          // connected now
-  std::uint64_t readers_dropped = 0;  // because they were too slow
-  std::uint64_t lines_lost = 0;       // of outputs that cannot be dropped: file, standard output
+  std::uint64_t readers = 0;            // connected now
+  std::uint64_t readers_dropped = 0;    // because they were too slow
+  std::uint64_t readers_refused = 0;    // because there were 16 already
+  std::uint64_t lines_lost = 0;         // of outputs that cannot be dropped: file, standard output,
+                                        // MQTT; and lines that were none or too long
+  bool standard_output_closed = false;  // its reader is gone
 };
 
 class Outputs {
  public:
   static constexpr std::size_t kMaxLineBytes = 32U << 10U;
 
-  // Opens everything, takes all memory and starts the thread that writes. One line where something
-  // cannot be had, or is not in this build.
+  // What can be known of the settings without touching anything: addresses, programs, folders,
+  // what this build has.
+  [[nodiscard]] static std::optional<Error> check(const OutputSettings& settings);
+
+  // Opens everything, takes all memory and starts the threads that write, at ordinary priority.
+  // One line where something cannot be had, or is not in this build. Two with the same socket, port
+  // or file cannot be open at once.
   [[nodiscard]] static Result<std::unique_ptr<Outputs>> open(const OutputSettings& settings);
   // Writes what can be written at once, up to a second, and closes.
   ~Outputs();
@@ -82,20 +50,24 @@ class Outputs {
   // Never waits, never allocates; a line of at most kMaxLineBytes with its end. From one thread.
   void publish(std::string_view line) noexcept;
 
-  // Which objects the frame shows, for triggers. Same thread, same promise.
+  // Which objects the frame shows, for triggers: every frame, also if there are none. Same thread,
+  // same promise.
   void report_seen(std::span<const SeenName> seen) noexcept;
 
   // A page is open that shows pictures: the loop may then hand frames over, scaled down and copied
-  // at once.
+  // at once, before it publishes the frame's line. Same thread, same promise.
   [[nodiscard]] bool wants_picture() const noexcept;
   void show_picture(const Frame& frame) noexcept;
 
   [[nodiscard]] OutputCounts counts() const noexcept;
+  // Where readers connect to; 0: there is no such output.
+  [[nodiscard]] int tcp_port() const;
+  [[nodiscard]] int http_port() const;
 
  private:
   Outputs();
-  class Writer;
-  std::unique_ptr<Writer> writer_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace aspect
