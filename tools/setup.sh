@@ -8,16 +8,25 @@ packages=(
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
   libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
   libassimp-dev libpng-dev
+  libv4l-dev                                             # the camera's: formats that are not ours
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libopencv-dev  # the tools'
+  pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
 )
 test_packages=(
   catch2 libbenchmark-dev python3                        # tests and benchmarks
   libdxflib-dev                                          # whose colours ours are compared with
   povray                                                 # the renderer that ours is compared with
+  mosquitto                                              # the broker that MQTT is tested with
+)
+
+device_packages=(
+  g++-aarch64-linux-gnu g++-arm-linux-gnueabihf          # what boards run is compiled with these
+  qemu-user-static                                       # and tested in this
+  qemu-system-arm qemu-system-x86 kmod busybox-static    # whole boards, with their kernels
 )
 
 missing=()
-for package in "${packages[@]}" "${test_packages[@]}"; do
+for package in "${packages[@]}" "${test_packages[@]}" "${device_packages[@]}"; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing+=("$package")
 done

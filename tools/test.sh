@@ -9,6 +9,9 @@ tools/build.sh all
 echo "== release"
 ctest --test-dir build/release --output-on-failure -j2 "$@"
 
+echo "== programs for boards"
+tools/device_build.sh
+
 echo "== sanitizers"
 cmake --preset asan >/dev/null
 cmake --build --preset asan --target sanitized_tests

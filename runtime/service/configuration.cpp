@@ -1,12 +1,14 @@
 #include "runtime/service/configuration.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
+#include "runtime/base/input_file.h"
+#include "runtime/base/portable_math.h"
+#include "runtime/service/output_table.h"
 #include "runtime/service/segmentation_table.h"
 #include "runtime/service/table_reader.h"
 #include "runtime/vision/vision_limits.h"
@@ -23,10 +25,32 @@ void replace(Value& value, const std::optional<Value>& by) {
   if (by) value = *by;
 }
 
+void read_capture(TableReader& reader, CameraSettings& capture) {
+  constexpr int kLeastStall_ms = 100, kMostStall_ms = 60'000;
+  constexpr double kLeastRate_hz = 0.01, kMostRate_hz = 1000;
+  std::optional<std::string> device, format;
+  std::optional<int> stall_ms;
+  reader.read("device", device);
+  reader.read("format", format);
+  reader.read("rate", {kLeastRate_hz, kMostRate_hz}, capture.rate_hz);
+  reader.read("stall_ms", {kLeastStall_ms, kMostStall_ms}, stall_ms);
+  std::vector<std::pair<std::string, std::int64_t>> controls;
+  reader.read("controls", controls);
+  for (auto& [name, value] : controls) capture.controls.push_back({std::move(name), value});
+  if (device && device->empty()) reader.fail("device", "is empty; name a camera, as /dev/video0");
+  if (format && format->size() != 4)
+    reader.fail("format", "must have four characters, as YUYV; leave it out to let aspectd choose");
+  if (device) capture.device = std::move(*device);
+  if (format) capture.format = std::move(*format);
+  if (stall_ms) capture.stall = std::chrono::milliseconds(*stall_ms);
+}
+
 std::optional<Error> read_camera(const toml::table& table, const std::string& file,
-                                 std::optional<CameraConfiguration>& camera) {
+                                 Configuration& configuration) {
   // Far beyond any lens; it keeps the arithmetic of projections from overflowing.
   constexpr double kMost_px = 1e6, kLeastFocal_px = 1;
+  constexpr std::array<std::string_view, 6> kLens = {"width", "height", "fx", "fy", "cx", "cy"};
+  CameraSettings& capture = configuration.capture;
   std::optional<int> width, height;
   std::optional<double> fx, fy, cx, cy;
   TableReader reader(table, file, "camera");
@@ -36,10 +60,15 @@ std::optional<Error> read_camera(const toml::table& table, const std::string& fi
   reader.read("fy", {kLeastFocal_px, kMost_px}, fy);
   reader.read("cx", {-kMost_px, kMost_px}, cx);
   reader.read("cy", {-kMost_px, kMost_px}, cy);
-  for (const std::string_view key : {"width", "height", "fx", "fy", "cx", "cy"})
-    reader.require(key);
+  read_capture(reader, capture);
+  if (fx || fy || cx || cy)
+    for (const std::string_view key : kLens) reader.require(key);
+  if (width && !height) reader.require("height");
+  if (height && !width) reader.require("width");
   if (auto error = reader.finish()) return error;
-  camera = CameraConfiguration{*width, *height, *fx, *fy, *cx, *cy};
+  if (width) capture.width_px = *width;
+  if (height) capture.height_px = *height;
+  if (fx) configuration.camera = CameraConfiguration{*width, *height, *fx, *fy, *cx, *cy};
   return std::nullopt;
 }
 
@@ -54,25 +83,50 @@ std::optional<Error> read_recognition(const toml::table& table, const std::strin
   reader.read("ranking", kRankings, ranking);
   reader.read("top", {1, kMaxHypotheses}, overrides.top);
   reader.read("shortlist_slack", {0, kMaxBlobContours}, overrides.shortlist_slack);
+  reader.read("score_min", {0, 1e12}, overrides.score_min);
   if (matching) overrides.matching = *matching == 0 ? Matching::simple : Matching::weighted;
   if (ranking) overrides.ranking = *ranking == 0 ? Ranking::views : Ranking::classes;
   return reader.finish();
 }
 
+std::optional<Error> read_process(const toml::table& table, const std::string& file,
+                                  ProcessSettings& process) {
+  constexpr int kMostCpus = 1024;
+  std::optional<bool> lock_memory;
+  std::optional<int> realtime_priority;
+  TableReader reader(table, file, "process");
+  reader.read("lock_memory", lock_memory);
+  reader.read("realtime_priority", {0, 99}, realtime_priority);
+  reader.read("cpus", {0, kMostCpus - 1}, process.cpus);
+  replace(process.lock_memory, lock_memory);
+  replace(process.realtime_priority, realtime_priority);
+  return reader.finish();
+}
+
 Result<Configuration> read_tables(const toml::table& root, const std::string& file) {
   Configuration configuration;
+  std::optional<std::vector<std::string>> indexes;
   TableReader reader(root, file, "");
+  reader.read("indexes", indexes);
   const toml::table* camera = reader.table("camera");
   const toml::table* segmentation = reader.table("segmentation");
   const toml::table* recognition = reader.table("recognition");
-  if (auto error = reader.finish()) return *error;
-  if (camera)
-    if (auto error = read_camera(*camera, file, configuration.camera)) return *error;
-  if (segmentation)
-    if (auto error = read_segmentation(*segmentation, file, configuration.segmentation))
-      return *error;
-  if (recognition)
-    if (auto error = read_recognition(*recognition, file, configuration.recognition)) return *error;
+  const toml::table* output = reader.table("output");
+  const toml::table* process = reader.table("process");
+  if (indexes && std::find(indexes->begin(), indexes->end(), "") != indexes->end())
+    reader.fail("indexes", "holds an empty name; give the files of indexes");
+  std::optional<Error> error = reader.finish();
+  if (camera && !error) error = read_camera(*camera, file, configuration);
+  if (segmentation && !error)
+    error = read_segmentation(*segmentation, file, configuration.segmentation);
+  if (recognition && !error)
+    error = read_recognition(*recognition, file, configuration.recognition);
+  if (output && !error) error = read_outputs(*output, file, configuration.output);
+  if (process && !error) error = read_process(*process, file, configuration.process);
+  if (error) return *error;
+  if (indexes)
+    for (const std::string& index : *indexes)
+      configuration.indexes.push_back(fs::path(file).parent_path() / index);
   return configuration;
 }
 
@@ -100,28 +154,28 @@ void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
   replace(parameters.ranking, ranking);
   replace(parameters.top, top);
   replace(parameters.shortlist_slack, shortlist_slack);
+  replace(parameters.score_min, score_min);
 }
 
 void Configuration::apply(RecogniserParameters& parameters) const {
   segmentation.apply(parameters.vision);
   if (camera)
     parameters.vision.range.field_of_view_deg = static_cast<float>(
-        2 * std::atan(camera->width_px / (2 * camera->fx_px)) * 180 / std::numbers::pi);
+        2 * portable_atan(camera->width_px / (2 * camera->fx_px)) * 180 / std::numbers::pi);
   recognition.apply(parameters);
 }
 
 Result<Configuration> read_configuration(const fs::path& file) {
   const std::string& name = file.native();
-  std::error_code code;
-  const fs::file_status status = fs::status(file, code);
-  if (!fs::exists(status)) return Error{name + ": no such file; check the path"};
-  if (!fs::is_regular_file(status)) return Error{name + ": not a file; give a TOML file"};
-  const std::uintmax_t bytes = fs::file_size(file, code);
-  if (code || bytes > kMaxFileBytes)
+  InputFile input(file);
+  const std::optional<std::uint64_t> bytes = input.size();
+  if (input.is_missing()) return Error{name + ": no such file; check the path"};
+  if (!bytes) return Error{name + ": " + input.reason() + "; give a TOML file that can be read"};
+  if (*bytes > kMaxFileBytes)
     return Error{name + ": too large for a configuration; it has at most 1 MiB"};
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) return Error{name + ": cannot be read; check its permissions"};
+  std::string text(static_cast<std::size_t>(*bytes), '\0');
+  if (!input.read(std::as_writable_bytes(std::span(text))))
+    return Error{name + ": cannot be read to its end; check the disk"};
   return parse_configuration(text, name);
 }
 

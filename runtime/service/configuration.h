@@ -1,13 +1,19 @@
-// A configuration file: the camera, and what is to be done otherwise than the index was compiled.
+// A configuration file: which indexes, which camera, what is to be done otherwise than the indexes
+// were compiled, and where results go. One file serves aspectd and aspect-replay, which takes of it
+// what is not about a live camera.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/base/result.h"
+#include "runtime/capture/camera_settings.h"
+#include "runtime/output/output_settings.h"
 #include "runtime/recognition/recogniser.h"
+#include "runtime/service/process_settings.h"
 
 namespace aspect {
 
@@ -35,21 +41,26 @@ struct RecognitionOverrides {
   std::optional<Matching> matching;
   std::optional<RecogniserParameters::Ranking> ranking;
   std::optional<int> top, shortlist_slack;
+  std::optional<double> score_min;
 
   void apply(RecogniserParameters& parameters) const;
 };
 
 struct Configuration {
+  std::vector<std::filesystem::path> indexes;  // relative ones are meant from the file's folder
   std::optional<CameraConfiguration> camera;
+  CameraSettings capture;
   SegmentationOverrides segmentation;
   RecognitionOverrides recognition;
+  OutputSettings output;
+  ProcessSettings process;
 
   void apply(RecogniserParameters& parameters) const;
 };
 
-// TOML with the tables [camera], [segmentation] and [recognition], all of them optional. Errors
-// name file and line: unknown tables and keys, wrong types, numbers out of range, a camera of which
-// something is missing. A file has at most 1 MiB.
+// TOML with `indexes` and the tables [camera], [segmentation], [recognition], [output] and
+// [process], all of them optional. Errors name file and line: unknown tables and keys, wrong types,
+// numbers out of range, a camera of which something is missing. A file has at most 1 MiB.
 Result<Configuration> read_configuration(const std::filesystem::path& file);
 Result<Configuration> parse_configuration(std::string_view text, const std::string& name);
 

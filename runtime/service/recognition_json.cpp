@@ -52,6 +52,17 @@ void put_stages(JsonText& json, const StageTimes& stages) {
   json.end_object();
 }
 
+void put_capture(JsonText& json, const CaptureLabel& capture) {
+  json.key("capture");
+  json.begin_object();
+  put(json, "time_s", capture.time_s);
+  put(json, "latency_ms", milliseconds(capture.latency));
+  put(json, "late", static_cast<std::int64_t>(capture.late));
+  put(json, "lost", static_cast<std::int64_t>(capture.lost));
+  put(json, "damaged", static_cast<std::int64_t>(capture.damaged));
+  json.end_object();
+}
+
 void put_hypothesis(JsonText& json, const Hypothesis& hypothesis,
                     std::span<const ClassIndex> indexes) {
   ASPECT_DCHECK(hypothesis.index < indexes.size());
@@ -108,6 +119,7 @@ std::size_t write_cut(const FrameLabel& frame, const Recognition& recognition,
   put(json, "height", std::int64_t{frame.height_px});
   put(json, "elapsed_ms", milliseconds(recognition.elapsed));
   put_stages(json, recognition.stages);
+  if (frame.capture) put_capture(json, *frame.capture);
   json.key("objects");
   json.begin_array();
   std::size_t written = 0, all = 0;

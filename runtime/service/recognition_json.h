@@ -1,8 +1,10 @@
 // What was recognised in a frame as one line of JSON: the runtime's output, for scripts.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -10,10 +12,18 @@
 
 namespace aspect {
 
+// What only a live camera's frame has.
+struct CaptureLabel {
+  double time_s = 0;                              // when it was taken, since 1970
+  std::chrono::nanoseconds latency{};             // from then to the result
+  std::uint64_t late = 0, lost = 0, damaged = 0;  // frames since the last one that are not shown
+};
+
 struct FrameLabel {
   std::string_view name;
   std::uint64_t sequence = 0;
   int width_px = 0, height_px = 0;
+  std::optional<CaptureLabel> capture{};
 };
 
 // Writes the line, its end included, and returns its length. A line that is longer than `out` is

@@ -121,6 +121,51 @@ void TableReader::read(std::string_view key, std::size_t count, ClosedRange<doub
   value = std::move(read);
 }
 
+void TableReader::read(std::string_view key, ClosedRange<int> range, std::vector<int>& values) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const std::string wanted =
+      fmt::format("an array of whole numbers from {} to {}", range.least, range.most);
+  const toml::array* numbers = node->as_array();
+  if (numbers == nullptr) return refuse(key, *node, wanted);
+  for (const toml::node& element : *numbers) {
+    const auto number = int_of(element, range);
+    if (!number) return refuse(key, element, wanted);
+    values.push_back(*number);
+  }
+}
+
+void TableReader::read(std::string_view key, std::optional<std::vector<std::string>>& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  constexpr std::string_view kWanted = "an array of texts in quotes";
+  const toml::array* texts = node->as_array();
+  if (texts == nullptr || texts->empty()) return refuse(key, *node, kWanted);
+  std::vector<std::string> read;
+  for (const toml::node& element : *texts) {
+    const auto* text = element.as_string();
+    if (text == nullptr) return refuse(key, element, kWanted);
+    read.push_back(text->get());
+  }
+  value = std::move(read);
+}
+
+void TableReader::read(std::string_view key,
+                       std::vector<std::pair<std::string, std::int64_t>>& numbers) {
+  const toml::table* found = table(key);
+  if (found == nullptr) return;
+  // A table is sorted by its keys, but what is said first is to be done first.
+  std::vector<std::pair<toml::source_position, std::pair<std::string, std::int64_t>>> read;
+  for (const auto& [name, node] : *found) {
+    const auto* number = node.as_integer();
+    if (number == nullptr) return refuse(name.str(), node, "a whole number");
+    read.push_back({name.source().begin, {std::string(name.str()), number->get()}});
+  }
+  std::sort(read.begin(), read.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [place, number] : read) numbers.push_back(std::move(number));
+}
+
 void TableReader::read(std::string_view key, std::span<const std::string_view> words,
                        std::optional<std::size_t>& value) {
   const toml::node* node = find(key);

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <toml++/toml.h>
@@ -36,9 +37,14 @@ class TableReader {
   // An array of that many numbers.
   void read(std::string_view key, std::size_t count, ClosedRange<double> range,
             std::optional<std::vector<double>>& value);
+  void read(std::string_view key, ClosedRange<int> range, std::vector<int>& values);
+  // An array of texts, not empty.
+  void read(std::string_view key, std::optional<std::vector<std::string>>& value);
   // The value becomes the place of the word found.
   void read(std::string_view key, std::span<const std::string_view> words,
             std::optional<std::size_t>& value);
+  // Whatever keys it has, each with a whole number, in the order of the file.
+  void read(std::string_view key, std::vector<std::pair<std::string, std::int64_t>>& numbers);
   // A table in this one, null where there is none.
   const toml::table* table(std::string_view key);
   // The tables of a [[key]], none where there is none.

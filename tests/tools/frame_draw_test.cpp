@@ -100,7 +100,7 @@ TEST_CASE("Small frames are blown up for drawing") {
 }
 
 TEST_CASE("A label stands within its region even if the region's centre does not") {
-  const std::array runs = {Run{0, 0, 10, 1, 0, 0}, Run{1, 0, 2, 1, 0, 0}, Run{2, 4, 9, 2, 0, 0}};
+  const std::array runs = {Run{0, 0, 10, 1}, Run{1, 0, 2, 1}, Run{2, 4, 9, 2}};
   RegionMap map;
   map.runs = runs;
   Contour contour;

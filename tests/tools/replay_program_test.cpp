@@ -119,6 +119,7 @@ TEST_CASE("Wrong usage is told in one line") {
         "--index flag.aspect --top 65 frames", "--index flag.aspect --top x frames",
         "--index flag.aspect --matching best frames", "--index flag.aspect --ranking best frames",
         "--index flag.aspect --pace 0 frames", "--index flag.aspect --pace nan frames",
+        "--self-test", "--index flag.aspect --self-test frames",
         "--index flag.aspect --bogus frames", "--index flag.aspect --track frames"}) {
     const Outcome outcome = replay.run(arguments);
     INFO(arguments);
@@ -133,8 +134,8 @@ TEST_CASE("Help and version are printed") {
   const Replay replay;
   const Outcome help = replay.run("--help");
   CHECK(help.exit_code == 0);
-  for (const char* option :
-       {"--index", "--config", "--top", "--overlay", "--dump", "--pace", "--matching", "--ranking"})
+  for (const char* option : {"--index", "--config", "--top", "--overlay", "--dump", "--pace",
+                             "--matching", "--ranking", "--self-test"})
     CHECK_THAT(help.out, Contains(option));
   const Outcome version = replay.run("--version");
   CHECK(version.exit_code == 0);
@@ -233,6 +234,22 @@ TEST_CASE("Frames start at the pace asked for") {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   CHECK(elapsed.count() >= 0.4);
   CHECK(elapsed.count() < 5);
+  const Outcome outcome = replay.run("--index flag.aspect --pace 200 frames");
+  CHECK_THAT(outcome.err, Catch::StartsWith("aspect-replay: 3 frames at 200 a second: "));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+}
+
+TEST_CASE("Raw frames are recognised like pictures with the same pixels") {
+  const Replay replay;
+  const cv::Mat picture = flag(320, 240);
+  const std::string bytes(picture.datastart, picture.dataend);
+  replay.folder().write("clip.320x240.BGR3", bytes + bytes);
+  const auto lines = replay.run("--index flag.aspect clip.320x240.BGR3 frames/0.png").lines();
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0]["frame"] == "clip.320x240.BGR3#0");
+  CHECK(lines[1]["frame"] == "clip.320x240.BGR3#1");
+  CHECK_FALSE(lines[0]["objects"].empty());
+  for (const std::size_t k : {0U, 1U}) CHECK(lines[k]["objects"] == lines[2]["objects"]);
 }
 
 TEST_CASE("A reader that goes away ends the run quietly") {

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "tools/replay/line_output.h"
+#include "runtime/base/standard_streams.h"
 #include "tools/replay/replay.h"
 
 int main(int argc, char** argv) {

@@ -39,6 +39,10 @@ void Console::warn(std::string_view message) {
   print("warning: ", message);
 }
 
+void Console::tell(std::string_view message) {
+  print("", message);
+}
+
 void Console::print(std::string_view kind, std::string_view message) {
   clear_progress();
   fmt::print(stderr, "{}: {}{}\n", program_, kind, on_one_line(message));

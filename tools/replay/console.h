@@ -18,6 +18,7 @@ class Console {
   // One line; control characters in it, as from a file's name, become question marks.
   void fail(std::string_view message);
   void warn(std::string_view message);
+  void tell(std::string_view message);
   // Nothing where standard error is no terminal, or standard output is one and fills it already.
   void progress(std::uint64_t done, std::optional<std::size_t> all, std::string_view name);
 

@@ -1,9 +1,7 @@
 #include "tools/replay/line_output.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 #include <cerrno>
-#include <csignal>
 
 namespace aspect {
 
@@ -17,15 +15,6 @@ OutputStatus write_line(std::string_view line) {
     }
   }
   return OutputStatus::written;
-}
-
-void guard_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
-    // The lowest free descriptor is taken, which is this one; opened for the wrong direction.
-    static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-  }
-  std::signal(SIGPIPE, SIG_IGN);
 }
 
 }  // namespace aspect

@@ -11,8 +11,4 @@ enum class OutputStatus { written, closed, failed };
 // ignored.
 [[nodiscard]] OutputStatus write_line(std::string_view line);
 
-// To be called first: standard streams that the caller closed are given a file that only fails, so
-// that no picture opened later takes their place.
-void guard_standard_streams();
-
 }  // namespace aspect

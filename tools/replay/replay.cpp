@@ -2,42 +2,26 @@
 
 #include <fmt/format.h>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
+#include <memory>
 #include <new>
-#include <thread>
 
 #include "runtime/capture/recorded_frames.h"
+#include "runtime/recognition/self_test.h"
+#include "runtime/recognition/sized_recogniser.h"
+#include "runtime/service/index_set.h"
 #include "runtime/service/recognition_json.h"
 #include "tools/replay/console.h"
-#include "tools/replay/index_set.h"
 #include "tools/replay/line_output.h"
-#include "tools/replay/sized_recogniser.h"
+#include "tools/replay/pace.h"
 #include "tools/replay/stage_pictures.h"
 
 namespace aspect {
 namespace {
 
-// Holds the longest line there can be: 64 objects with 64 hypotheses of 48 contours each.
+// Holds the longest line there can be: 64 objects with 64 hypotheses of 48 contours each. Memory is
+// taken for what is used of it only.
 constexpr std::size_t kLineBytes = 8U << 20U;
-
-// Lets frames start at a steady rate. One that comes late moves all that follow.
-class Pace {
- public:
-  explicit Pace(std::optional<double> fps) {
-    if (fps) period_ = std::chrono::duration_cast<Clock::duration>(Seconds(1 / *fps));
-  }
-  void wait() {
-    std::this_thread::sleep_until(next_);
-    next_ = std::max(next_, Clock::now() - period_) + period_;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  using Seconds = std::chrono::duration<double>;
-  Clock::duration period_{};
-  Clock::time_point next_ = Clock::now();
-};
 
 // One frame after the other. False: the output has gone, there is no point in going on.
 class FrameLoop {
@@ -48,7 +32,7 @@ class FrameLoop {
         recogniser_(indexes, parameters),
         pictures_(pictures),
         console_(console),
-        line_(kLineBytes) {}
+        line_(std::make_unique_for_overwrite<char[]>(kLineBytes)) {}
 
   bool process(const CapturedFrame& frame) {
     try {
@@ -67,8 +51,9 @@ class FrameLoop {
  private:
   bool write(const CapturedFrame& frame, const Recognition& recognition) {
     const FrameLabel label = {frame.name, frame.sequence, frame.width_px, frame.height_px};
-    const std::size_t length = write_recognition_json(label, recognition, indexes_, line_);
-    const OutputStatus status = write_line({line_.data(), length});
+    const std::size_t length =
+        write_recognition_json(label, recognition, indexes_, {line_.get(), kLineBytes});
+    const OutputStatus status = write_line({line_.get(), length});
     if (status == OutputStatus::failed)
       console_.fail(fmt::format("standard output: {}; stopped", std::strerror(errno)));
     return status == OutputStatus::written;
@@ -78,23 +63,36 @@ class FrameLoop {
   SizedRecogniser recogniser_;
   const StagePictures& pictures_;
   Console& console_;
-  std::vector<char> line_;
+  std::unique_ptr<char[]> line_;
 };
 
-void process_all(RecordedFrames& frames, std::optional<double> pace_fps, FrameLoop& loop,
-                 Console& console) {
-  Pace pace(pace_fps);
+// False: the output has gone.
+bool process_all(RecordedFrames& frames, Pace& pace, FrameLoop& loop, Console& console) {
   CapturedFrame frame;
   for (;;) {
     const FrameStatus status = frames.next(frame);
-    if (status == FrameStatus::end) return;
+    if (status == FrameStatus::end) return true;
     console.progress(frame.sequence + 1, frames.count(), frame.name);
     if (status == FrameStatus::failed) {
       console.fail(frame.error);
       continue;
     }
     pace.wait();
-    if (!loop.process(frame)) return;
+    if (!loop.process(frame)) return false;
+    pace.finish();
+  }
+}
+
+// One line an index: on standard output, and for one that fails on standard error.
+void test_indexes(std::span<const ClassIndex> indexes, Console& console) {
+  for (const ClassIndex& index : indexes) {
+    const SelfTestResult result = self_test(index);
+    if (result.outcome == SelfTestResult::Outcome::failed) {
+      console.fail(result.line);
+    } else if (write_line(result.line + "\n") == OutputStatus::failed) {
+      console.fail(fmt::format("standard output: {}; stopped", std::strerror(errno)));
+      return;
+    }
   }
 }
 
@@ -109,8 +107,15 @@ int replay(const ReplayOptions& options) {
     if (!read) return console.fail(read.error()), kFailed;
     configuration = std::move(read).value();
   }
-  const std::vector<ClassIndex> indexes = load_indexes(options.indexes, console);
+  const IndexSet set = load_indexes(options.indexes);
+  for (const std::string& failure : set.failures) console.fail(failure);
+  for (const std::string& warning : set.warnings) console.warn(warning);
+  const std::vector<ClassIndex>& indexes = set.indexes;
   if (indexes.empty()) return kFailed;
+  if (options.self_test) {
+    test_indexes(indexes, console);
+    return console.failures() == 0 ? 0 : kFailed;
+  }
   const auto pictures = StagePictures::create(options.overlay_folder, options.dump_folder);
   if (!pictures) return console.fail(pictures.error()), kFailed;
 
@@ -121,7 +126,9 @@ int replay(const ReplayOptions& options) {
 
   RecordedFrames frames(options.frames, parameters.vision.sensor);
   FrameLoop loop(indexes, parameters, pictures.value(), console);
-  process_all(frames, options.pace_fps, loop, console);
+  Pace pace(options.pace_fps);
+  const bool finished = process_all(frames, pace, loop, console);
+  if (const std::string report = pace.report(); finished && !report.empty()) console.tell(report);
   return console.failures() == 0 ? 0 : kFailed;
 }
 

@@ -15,8 +15,9 @@ constexpr const char* kDescription =
     "Recognises objects in recorded frames: one JSON object a line for each frame.";
 
 constexpr const char* kFooter = R"(
-A frame is a picture, a folder of pictures (in the order of their names) or a video. NNNNNN in the
-name of a picture written is the frame's sequence.
+A frame is a picture, a folder of pictures (in the order of their names), a video or a file of raw
+camera frames, NAME.WIDTHxHEIGHT.FOURCC as clip.640x480.YUYV. NNNNNN in the name of a picture written
+is the frame's sequence. On a device: raw frames and binary PPM and PGM pictures only.
 Values given here win over those of --config, and those over what the index was compiled with.
 
 The output has the keys frame, sequence, width, height, elapsed_ms, stages_ms and objects, the
@@ -24,12 +25,13 @@ largest first: [{box: [x, y, width, height], regions, hypotheses, the best first
 score, matched, unmatched, view: unit vector from the object's centre to the camera, contours:
 [[number in the frame, name in the class], ...]}]}].
 
-Exit code: 0 all frames were processed, 1 a frame or an index failed (one line each on standard
-error; the others are processed all the same), 2 wrong usage.
+Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
+failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
 
 Examples:
   aspect-replay --index cube.aspect frame.png
   aspect-replay --index cube.aspect --index truck.aspect --config camera.toml frames/ > seen.jsonl
+  aspect-replay --index cube.aspect --self-test
   aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
 )";
 
@@ -63,9 +65,15 @@ void add_inputs(CLI::App& app, RawOptions& raw) {
   app.add_option("--config", raw.configuration,
                  "[camera], [segmentation] and [recognition] in TOML")
       ->type_name("FILE.toml");
-  app.add_option("frames", raw.frames, "pictures, folders of pictures, videos")
-      ->required()
-      ->type_name("FRAME_OR_FOLDER_OR_VIDEO");
+  CLI::Option* frames =
+      app.add_option("frames", raw.frames, "pictures, raw frames, folders of them, videos")
+          ->type_name("FRAME_OR_FOLDER_OR_VIDEO");
+  app.add_flag("--self-test", raw.options.self_test,
+               "test every index with its golden frame, one line each, and nothing else")
+      ->excludes(frames);
+  app.final_callback([&raw] {
+    if (raw.frames.empty() && !raw.options.self_test) throw CLI::RequiredError("frames");
+  });
 }
 
 void add_recognition(CLI::App& app, RawOptions& raw) {
@@ -103,7 +111,7 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
   };
   app.add_option_function<double>(
          "--pace", [&raw](double fps) { raw.options.pace_fps = fps; },
-         "start frames at this rate a second [as fast as possible]")
+         "start frames at this rate a second, and tell how it went [as fast as possible]")
       ->check(fault_of)
       ->type_name("FPS");
 }

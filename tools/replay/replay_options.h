@@ -16,6 +16,7 @@ struct ReplayOptions {
   std::optional<std::filesystem::path> configuration;
   std::optional<std::filesystem::path> overlay_folder, dump_folder;
   std::optional<double> pace_fps;
+  bool self_test = false;  // instead of frames
   RecognitionOverrides recognition;
 };
 

@@ -112,7 +112,7 @@ TEST_CASE("Wrong types and numbers out of range are refused with their line") {
        "c.toml:2: [recognition] matching is \"best\"; it "
        "must be \"simple\" or \"weighted\""},
       {"[recognition]\nranking = true\n", "c.toml:2: [recognition] ranking is true"},
-      {"[camera]\nwidth = 9000\n", "c.toml:1: [camera] height is missing"},
+      {"[camera]\nwidth = 9000\n", "c.toml:2: [camera] width is 9000"},
   };
   for (const auto& [text, expected] : cases) CHECK_THAT(error_of(text), StartsWith(expected));
 }
@@ -121,6 +121,53 @@ TEST_CASE("A camera must be complete") {
   const std::string camera = kCamera;
   CHECK_THAT(error_of(camera.substr(0, camera.find("cy"))),
              StartsWith("c.toml:1: [camera] cy is missing"));
+}
+
+TEST_CASE("A camera to capture from needs no lens") {
+  const auto configuration = parse_configuration(
+      "indexes = [\"a.aspect\", \"/b/c.aspect\"]\n"
+      "[camera]\ndevice = \"bus:usb-1.2\"\nformat = \"NV12\"\nwidth = 320\nheight = 240\n"
+      "rate = 12.5\nstall_ms = 300\n"
+      "[camera.controls]\nwhite_balance_automatic = 0\nauto_exposure = 1\ngain = -3\n"
+      "[recognition]\nscore_min = 0.25\n"
+      "[process]\nlock_memory = true\nrealtime_priority = 20\ncpus = [1, 3]\n",
+      "etc/c.toml");
+  REQUIRE(configuration.ok());
+  const Configuration& read = configuration.value();
+  CHECK(read.indexes == std::vector<std::filesystem::path>{"etc/a.aspect", "/b/c.aspect"});
+  CHECK_FALSE(read.camera);
+  CHECK(read.capture.device == "bus:usb-1.2");
+  CHECK(read.capture.format == "NV12");
+  CHECK(read.capture.width_px == 320);
+  CHECK(read.capture.height_px == 240);
+  CHECK(read.capture.rate_hz == 12.5);
+  CHECK(read.capture.stall == std::chrono::milliseconds(300));
+  // Set in the order of the file: automatics must be off before what they hold can be set.
+  CHECK(read.capture.controls == std::vector<CameraControl>{{"white_balance_automatic", 0},
+                                                            {"auto_exposure", 1},
+                                                            {"gain", -3}});
+  CHECK(read.process == ProcessSettings{true, 20, {1, 3}});
+  RecogniserParameters parameters;
+  read.apply(parameters);
+  CHECK(parameters.score_min == 0.25);
+}
+
+TEST_CASE("What a live camera cannot be told is refused with its line") {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"indexes = \"a\"\n", "c.toml:1: indexes is \"a\"; it must be an array of texts"},
+      {"indexes = [\"a\",\n\"\"]\n", "c.toml:1: indexes holds an empty name"},
+      {"[camera]\nwidth = 9000\n", "c.toml:2: [camera] width is 9000"},
+      {"[camera]\nformat = \"MJPEG\"\n", "c.toml:2: [camera] format must have four characters"},
+      {"[camera]\ndevice = \"\"\n", "c.toml:2: [camera] device is empty"},
+      {"[camera]\nrate = 0\n", "c.toml:2: [camera] rate is 0"},
+      {"[camera]\nstall_ms = 99\n", "c.toml:2: [camera] stall_ms is 99"},
+      {"[camera]\ncontrols = 3\n", "c.toml:2: [camera] controls is 3; it must be a table"},
+      {"[camera.controls]\ngain = \"high\"\n", "c.toml:2: [camera] gain is \"high\""},
+      {"[process]\ncpus = [0, -1]\n", "c.toml:2: [process] cpus is -1"},
+      {"[process]\nrealtime_priority = 100\n", "c.toml:2: [process] realtime_priority is 100"},
+      {"[process]\nlock_memory = 1\n", "c.toml:2: [process] lock_memory is 1"},
+  };
+  for (const auto& [text, expected] : cases) CHECK_THAT(error_of(text), StartsWith(expected));
 }
 
 TEST_CASE("What is not TOML is refused with its line") {

@@ -10,6 +10,8 @@
 #include <span>
 #include <string>
 
+#include "tests/rounds.h"
+
 namespace aspect {
 namespace {
 
@@ -28,7 +30,7 @@ std::string read_back(std::string_view text) {
 
 TEST_CASE("Every float reads back as the same float") {
   std::mt19937 random(7);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < rounds(20000); ++k) {
     const auto number = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
     if (!std::isfinite(number)) continue;
     const auto parsed = nlohmann::json::parse(text_of(number));
@@ -39,7 +41,7 @@ TEST_CASE("Every float reads back as the same float") {
 
 TEST_CASE("Every double reads back as the same double") {
   std::mt19937_64 random(8);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < rounds(20000); ++k) {
     const auto number = std::bit_cast<double>(static_cast<std::uint64_t>(random()));
     if (!std::isfinite(number)) continue;
     REQUIRE(nlohmann::json::parse(text_of(number)).get<double>() == number);
@@ -85,7 +87,7 @@ TEST_CASE("Bytes that are not UTF-8 become replacement characters") {
 
 TEST_CASE("Any bytes make a valid string") {
   std::mt19937 random(9);
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < rounds(2000); ++k) {
     std::string text;
     for (int n = 0; n < 24; ++n) text += static_cast<char>(random() & 0xFFU);
     REQUIRE(nlohmann::json::accept(text_of(std::string_view(text))));

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/small_disk.h"
 
 namespace aspect {
@@ -154,7 +154,7 @@ TEST_CASE("an output that is a folder or a device is refused and stays") {
 
 TEST_CASE("a second compiler on one store gets one line, and the first comes to its end") {
   const Workplace here;
-  ChildProgram first(here.path(), compile_to(4));
+  ChildProgram first(ASPECTC, here.path(), compile_to(4));
   const TemporaryFolder elsewhere;
   elsewhere.write("part.b", small_scene());
   while (!fs::exists(here.path() / "part.store")) REQUIRE_FALSE(first.has_ended());

@@ -10,7 +10,7 @@
 #include <regex>
 
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/terminal_program.h"
 #include "tools/aspectc/stop_signals.h"
 
@@ -135,7 +135,7 @@ TEST_CASE("an index that is replaced is whole at every moment") {
   const TemporaryFolder folder;
   const fs::path index = folder.path() / "l.aspect";
   REQUIRE(run_aspectc(folder.path(), kCompile).exit_code == 0);
-  ChildProgram child(folder.path(), with(kCompile, {"--max-index-kib", "16"}));
+  ChildProgram child(ASPECTC, folder.path(), with(kCompile, {"--max-index-kib", "16"}));
   std::size_t seen = 0;
   while (!child.has_ended()) {
     const std::string bytes = read_file(index);

@@ -11,7 +11,7 @@
 #include <regex>
 
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/terminal_program.h"
 
 namespace aspect {

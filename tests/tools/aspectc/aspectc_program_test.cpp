@@ -7,7 +7,7 @@
 
 #include "runtime/recognition/class_index.h"
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {
 namespace {
@@ -296,6 +296,27 @@ TEST_CASE("inspect prints an index in words and as JSON, and refuses what is non
   CHECK_THAT(here.run({"inspect", "part.aspect"}).out, Contains("object part"));
   check_fails(here.run({"inspect", "part.b"}), {"part.b", "not a class index"});
   check_fails(here.run({"inspect", "none.aspect"}), {"none.aspect"});
+}
+
+TEST_CASE("inspect shows the golden frame and writes its picture") {
+  const Workplace here;
+  REQUIRE(here.run({"part.b", "--level", "3", "--no-store", "--stats", "s.json"}).exit_code == 0);
+  const ClassIndex index = load_index(here.file("part.aspect")).value();
+  REQUIRE(index.golden);
+  const json golden =
+      json::parse(here.run({"inspect", "part.aspect", "--json"}).out)["golden_frame"];
+  CHECK(golden["width"] == index.golden->width_px);
+  CHECK(golden["class"] == index.golden->class_id);
+  CHECK(golden["matched"] == golden["regions"]);
+  CHECK(json::parse(read_file(here.file("s.json")))["golden_frame_bytes"] > golden["bytes"]);
+  CHECK_THAT(here.run({"inspect", "part.aspect"}).out, Contains("golden frame: "));
+  REQUIRE(here.run({"inspect", "part.aspect", "--golden", "g.png"}).exit_code == 0);
+  CHECK(read_file(here.file("g.png")).substr(1, 3) == "PNG");
+  check_fails(here.run({"inspect", "part.aspect", "--golden", "none/g.png"}), {"none/g.png"});
+  // In so small an index there is no room for it, and it is said.
+  const Outcome small = here.run({"part.b", "--level", "3", "--no-store", "--max-index-kib", "1"});
+  if (small.exit_code == 0)
+    CHECK_THAT(small.err, Contains("warning: part.aspect: no golden frame"));
 }
 
 TEST_CASE("render writes a picture of a view, as it is and as it is seen") {

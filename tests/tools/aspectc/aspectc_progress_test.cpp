@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/terminal_program.h"
 
 namespace aspect {
@@ -121,7 +121,7 @@ TEST_CASE("a terminal that cannot erase a line, and a file, get plain lines") {
 
 TEST_CASE("a file gets lines unasked once a job takes more than two seconds") {
   const TemporaryFolder folder;
-  ChildProgram child(folder.path(), compile_to("7"));
+  ChildProgram child(ASPECTC, folder.path(), compile_to("7"));
   const auto started = Clock::now();
   while (read_file(folder.path() / "err").empty() && Clock::now() - started < seconds(10)) {
     REQUIRE_FALSE(child.has_ended());

@@ -5,7 +5,7 @@
 
 #include "runtime/recognition/index_bundle.h"
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {
 namespace {

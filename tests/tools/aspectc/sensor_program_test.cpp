@@ -4,14 +4,17 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <sstream>
 
 #include "runtime/recognition/class_index.h"
+#include "schema/class_index_generated.h"
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {
 namespace {
@@ -57,6 +60,8 @@ class Workplace {
         run({"part.b", "--sensor", sensor, "--level", "3", "--no-store", "-o", sensor + ".aspect"});
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
+    // Range indexes have no golden frame, and it is said.
+    CHECK((outcome.err.find("golden frame") != std::string::npos) == (sensor == "range"));
   }
 
  private:
@@ -154,6 +159,42 @@ TEST_CASE("frames and indexes of different sensors are refused in one line") {
   CHECK(is_one_line(indexes.err));
   CHECK_THAT(indexes.err, Contains("surface.aspect: "));
   CHECK(here.replay("--index range.aspect depth.png").exit_code == 0);
+}
+
+TEST_CASE("replay tests indexes with their golden frames, one line each") {
+  const Workplace& here = compiled_workplace();
+  const Outcome passed = here.replay("--index surface.aspect --self-test");
+  INFO(passed.err);
+  CHECK(passed.exit_code == 0);
+  CHECK(is_one_line(passed.out));
+  CHECK_THAT(passed.out, Contains("part: self test: passed"));
+  const Outcome none = here.replay("--self-test --index range.aspect");
+  CHECK(none.exit_code == 0);
+  CHECK(is_one_line(none.out));
+  CHECK_THAT(none.out, Contains("no golden frame"));
+}
+
+TEST_CASE("replay ends with exit code 1 where a golden frame gets another answer") {
+  const Workplace& here = compiled_workplace();
+  std::string bytes = read_file(here.file("surface.aspect"));
+  auto* root = flatbuffers::GetMutableRoot<schema::ClassIndex>(bytes.data());
+  auto* golden =
+      reinterpret_cast<flatbuffers::Table*>(const_cast<schema::GoldenFrame*>(root->golden_frame()));
+  const std::uint16_t other = root->golden_frame()->class_id() == 0 ? 1 : 0;
+  REQUIRE(golden->SetField(schema::GoldenFrame::VT_CLASS_ID, other, std::uint16_t{0}));
+  const auto* field = reinterpret_cast<const flatbuffers::Table*>(root)->GetAddressOf(
+      schema::ClassIndex::VT_CHECKSUM);
+  const auto place =
+      static_cast<std::size_t>(field - reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  const std::uint64_t sum = index_checksum(std::as_bytes(std::span(bytes)), place);
+  std::memcpy(bytes.data() + place, &sum, sizeof sum);
+  std::ofstream(here.file("wrong.aspect"), std::ios::binary) << bytes;
+  const Outcome failed = here.replay("--index wrong.aspect --self-test");
+  CHECK(failed.exit_code == 1);
+  CHECK(failed.out.empty());
+  CHECK(is_one_line(failed.err));
+  CHECK_THAT(failed.err, Contains("part: self test: failed") && Contains("was found") &&
+                             Contains("copy both again"));
 }
 
 TEST_CASE("a store of another sensor is refused, and a sensor that there is not") {

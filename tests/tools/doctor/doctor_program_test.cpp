@@ -5,7 +5,7 @@
 #include <set>
 
 #include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/doctor/sick_meshes.h"
 #include "tools/doctor/repair.h"
 

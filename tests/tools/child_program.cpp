@@ -1,4 +1,4 @@
-#include "tests/tools/aspectc/child_program.h"
+#include "tests/tools/child_program.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -12,9 +12,9 @@
 namespace aspect {
 namespace {
 
-[[noreturn]] void become_aspectc(const std::filesystem::path& folder,
-                                 const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {"aspectc"};
+[[noreturn]] void become(const std::filesystem::path& program, const std::filesystem::path& folder,
+                         const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {program.filename().native()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -22,17 +22,18 @@ namespace {
   const bool ready = chdir(folder.c_str()) == 0 && dup2(open("/dev/null", O_RDONLY), 0) == 0 &&
                      dup2(open("out", O_WRONLY | O_CREAT | O_TRUNC, 0644), 1) == 1 &&
                      dup2(open("err", O_WRONLY | O_CREAT | O_TRUNC, 0644), 2) == 2;
-  if (ready) execv(ASPECTC, pointers.data());
+  if (ready) execv(program.c_str(), pointers.data());
   _exit(127);
 }
 
 }  // namespace
 
-ChildProgram::ChildProgram(const std::filesystem::path& folder,
+ChildProgram::ChildProgram(const std::filesystem::path& program,
+                           const std::filesystem::path& folder,
                            const std::vector<std::string>& arguments)
     : folder_(folder), id_(fork()) {
   if (id_ < 0) throw std::runtime_error("no process");
-  if (id_ == 0) become_aspectc(folder, arguments);
+  if (id_ == 0) become(program, folder, arguments);
 }
 
 ChildProgram::~ChildProgram() {
@@ -54,11 +55,6 @@ Outcome ChildProgram::wait() {
   if (!ended_) ended_ = waitpid(id_, &status_, 0) == id_;
   return {WIFEXITED(status_) ? WEXITSTATUS(status_) : -1, read_file(folder_ / "out"),
           read_file(folder_ / "err")};
-}
-
-Outcome run_aspectc(const std::filesystem::path& folder,
-                    const std::vector<std::string>& arguments) {
-  return ChildProgram(folder, arguments).wait();
 }
 
 }  // namespace aspect

@@ -1,4 +1,4 @@
-#include "tools/replay/index_set.h"
+#include "runtime/service/index_set.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -40,24 +40,18 @@ bool is_among(const fs::path& file, std::span<const fs::path> others) {
   });
 }
 
-// The indexes of a run so far and the files that they came from.
-struct IndexSet {
-  std::vector<ClassIndex> indexes;
-  std::vector<fs::path> files;
-};
-
-void add_index(const fs::path& file, ClassIndex index, IndexSet& set, Console& console) {
+void add_index(const fs::path& file, ClassIndex index, IndexSet& set) {
   const auto same =
       std::find_if(set.indexes.begin(), set.indexes.end(),
                    [&](const ClassIndex& other) { return other.object == index.object; });
   if (same != set.indexes.end()) {
     const auto place = static_cast<std::size_t>(same - set.indexes.begin());
-    console.fail(fmt::format("{}: holds the object {} like {}; leave one of them out",
-                             file.native(), same->object, set.files[place].native()));
+    set.failures.push_back(fmt::format("{}: holds the object {} like {}; leave one of them out",
+                                       file.native(), same->object, set.files[place].native()));
     return;
   }
   if (!set.indexes.empty() && set.indexes.front().vision.sensor != index.vision.sensor) {
-    console.fail(
+    set.failures.push_back(
         fmt::format("{}: compiled for frames of a {} sensor, {} of a {} one; one run "
                     "looks at frames of one sensor, leave one of them out",
                     file.native(), name_of(index.vision.sensor), set.files.front().native(),
@@ -67,7 +61,7 @@ void add_index(const fs::path& file, ClassIndex index, IndexSet& set, Console& c
   const std::string different =
       set.indexes.empty() ? "" : differences(set.indexes.front().vision, index.vision);
   if (!different.empty())
-    console.warn(
+    set.warnings.push_back(
         fmt::format("{}: compiled with another [segmentation] than {}, whose values are "
                     "used: {}",
                     file.native(), set.files.front().native(), different));
@@ -77,21 +71,21 @@ void add_index(const fs::path& file, ClassIndex index, IndexSet& set, Console& c
 
 }  // namespace
 
-std::vector<ClassIndex> load_indexes(std::span<const fs::path> files, Console& console) {
+IndexSet load_indexes(std::span<const fs::path> files) {
   IndexSet set;
   for (const fs::path& file : files) {
     if (is_among(file, set.files)) {
-      console.fail(file.native() + ": given twice as --index; leave one out");
+      set.failures.push_back(file.native() + ": given twice as --index; leave one out");
       continue;
     }
     Result<std::vector<ClassIndex>> indexes = load_index_file(file);
     if (!indexes) {
-      console.fail(indexes.error());
+      set.failures.push_back(indexes.error());
       continue;
     }
-    for (ClassIndex& index : indexes.value()) add_index(file, std::move(index), set, console);
+    for (ClassIndex& index : indexes.value()) add_index(file, std::move(index), set);
   }
-  return std::move(set.indexes);
+  return set;
 }
 
 }  // namespace aspect

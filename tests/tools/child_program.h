@@ -1,4 +1,4 @@
-// aspectc as its users start it: a process that can be waited for, interrupted and killed.
+// A program as its users start it: a process that can be waited for, interrupted and killed.
 #pragma once
 
 #include <sys/types.h>
@@ -17,8 +17,9 @@ struct Outcome {
 
 class ChildProgram {
  public:
-  // Starts aspectc in that folder.
-  ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+  // Starts it in that folder, where its output goes to the files out and err.
+  ChildProgram(const std::filesystem::path& program, const std::filesystem::path& folder,
+               const std::vector<std::string>& arguments);
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
@@ -33,7 +34,5 @@ class ChildProgram {
   int status_ = 0;
   bool ended_ = false;
 };
-
-Outcome run_aspectc(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
 
 }  // namespace aspect

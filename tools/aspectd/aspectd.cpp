@@ -1,0 +1,98 @@
+// aspectd: the deployed camera runtime.
+#include <getopt.h>
+#include <unistd.h>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+
+#include "runtime/base/standard_streams.h"
+#include "runtime/service/daemon.h"
+#include "runtime/service/daemon_log.h"
+#include "tools/aspectd/check.h"
+
+namespace {
+
+constexpr const char* kHelp =
+    R"(Recognises objects in what a camera sees: one JSON object a line for each frame.
+usage: aspectd --config FILE.toml [--check]
+
+  --config FILE.toml  indexes, camera, recognition and outputs; firmware_configs/ has examples
+  --check             validate everything against the camera present, print what will be used, exit
+  --version           print the version
+  --help              print this
+
+SIGHUP reads the configuration and the indexes anew; if they are no good the old ones go on.
+SIGTERM and SIGINT end it.
+
+Exit code: 0 ended or everything is right, 1 something is wrong (one line on standard error), 2
+wrong usage.
+)";
+
+constexpr int kFailed = 1, kWrongUsage = 2;
+
+struct Options {
+  std::string configuration;
+  bool check = false;
+};
+
+int complain() {
+  std::fputs("aspectd: give --config FILE.toml, and --check if you like; --help tells more\n",
+             stderr);
+  return kWrongUsage;
+}
+
+// What to do, or the exit code after help, version or a complaint have been printed.
+std::optional<int> parse(int argc, char** argv, Options& options) {
+  constexpr option kOptions[] = {{"config", required_argument, nullptr, 'c'},
+                                 {"check", no_argument, nullptr, 'k'},
+                                 {"version", no_argument, nullptr, 'v'},
+                                 {"help", no_argument, nullptr, 'h'},
+                                 {}};
+  opterr = 0;
+  for (int found = 0; (found = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
+    switch (found) {
+      case 'c':
+        options.configuration = optarg;
+        break;
+      case 'k':
+        options.check = true;
+        break;
+      case 'v':
+        std::puts("aspectd " ASPECT_VERSION);
+        return 0;
+      case 'h':
+        std::fputs(kHelp, stdout);
+        return 0;
+      default:
+        return complain();
+    }
+  }
+  if (optind != argc || options.configuration.empty()) return complain();
+  return std::nullopt;
+}
+
+int run(const Options& options) {
+  if (options.check) return aspect::check(options.configuration) ? 0 : kFailed;
+  auto daemon = aspect::Daemon::start(options.configuration);
+  if (!daemon) {
+    aspect::log_line(daemon.error());
+    return kFailed;
+  }
+  daemon.value()->run();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  aspect::guard_standard_streams();
+  Options options;
+  if (const auto exit_code = parse(argc, argv, options)) return *exit_code;
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    aspect::log_line(error.what());
+    return kFailed;
+  }
+}
