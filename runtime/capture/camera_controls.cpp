@@ -165,11 +165,19 @@ void read_back(V4l2Calls& calls, int descriptor, const SetControl& control,
                        std::to_string(control.value));
 }
 
+// As long as the node is open, the kernel refuses what others want to change.
+void lock_settings(V4l2Calls& calls, int descriptor, std::vector<std::string>& warnings) {
+  std::uint32_t priority = V4L2_PRIORITY_RECORD;
+  if (calls.ioctl(descriptor, VIDIOC_S_PRIORITY, &priority) != 0)
+    warnings.emplace_back("the driver has no lock: other programs can change the controls");
+}
+
 }  // namespace
 
 CameraFault set_controls(V4l2Calls& calls, int descriptor, std::span<const CameraControl> controls,
                          std::vector<std::string>& values, std::vector<std::string>& warnings) {
   if (controls.empty()) return {};
+  lock_settings(calls, descriptor, warnings);
   const std::vector<KnownControl> known = list_controls(calls, descriptor);
   std::vector<SetControl> set;
   for (const CameraControl& wanted : controls) {

@@ -24,7 +24,7 @@ std::optional<Error> OutputThread::start(const char* name, std::size_t stack_byt
   body_ = std::move(body);
   pthread_attr_t attributes;
   ::pthread_attr_init(&attributes);
-  ::pthread_attr_setstacksize(&attributes, stack_bytes);
+  const int stack_failure = ::pthread_attr_setstacksize(&attributes, stack_bytes);
   // The frame loop may have a realtime priority already; outputs must not share it.
   const sched_param ordinary{};
   ::pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
@@ -34,7 +34,9 @@ std::optional<Error> OutputThread::start(const char* name, std::size_t stack_byt
   sigset_t all, before;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &before);
-  const int failure = ::pthread_create(&thread_, &attributes, &OutputThread::run, this);
+  const int failure = stack_failure != 0
+                          ? stack_failure
+                          : ::pthread_create(&thread_, &attributes, &OutputThread::run, this);
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   ::pthread_attr_destroy(&attributes);
   errno = failure;

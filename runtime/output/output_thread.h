@@ -18,7 +18,7 @@ class OutputThread {
  public:
   // What may take a second when everything ends.
   static constexpr std::chrono::milliseconds kFlush{1000};
-  static constexpr std::size_t kStackBytes = 96U << 10U;
+  static constexpr std::size_t kStackBytes = 128U << 10U;  // the least that arm64 has
 
   OutputThread() = default;
   OutputThread(const OutputThread&) = delete;

@@ -61,11 +61,34 @@ struct Solver {
   }
 };
 
-}  // namespace
+// The usual case: every row has one column that it fits best, and no two have the same. Then no
+// other assignment weighs as much. False where it is not so.
+bool take_best(std::span<const double> weights, std::size_t rows, std::size_t columns,
+               Assignment& assignment) {
+  std::array<bool, kMaxSide> taken{};
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::span<const double> here = weights.subspan(row * columns, columns);
+    double best = 0;
+    std::size_t place = columns;
+    bool tied = false;
+    for (std::size_t k = 0; k < columns; ++k) {
+      if (!(here[k] >= best)) continue;
+      tied = here[k] == best && best > 0;
+      if (here[k] == best) continue;
+      best = here[k];
+      place = k;
+    }
+    if (tied || (place < columns && taken[place])) return false;
+    assignment.column_of[row] = -1;
+    if (place == columns) continue;
+    assignment.column_of[row] = static_cast<std::int16_t>(place);
+    taken[place] = true;
+  }
+  return true;
+}
 
-void assign(std::span<const double> weights, std::size_t rows, std::size_t columns,
-            Assignment& assignment) noexcept {
-  ASPECT_DCHECK(rows <= kMaxSide && columns <= kMaxSide && weights.size() >= rows * columns);
+void solve(std::span<const double> weights, std::size_t rows, std::size_t columns,
+           Assignment& assignment) {
   // Each row costs a search over all columns, so the shorter side makes the rows.
   const bool turned = columns < rows;
   const std::size_t short_side = std::min(rows, columns), long_side = std::max(rows, columns);
@@ -83,17 +106,28 @@ void assign(std::span<const double> weights, std::size_t rows, std::size_t colum
                 {}};
   for (std::size_t row = 1; row <= short_side; ++row) solver.augment(row);
   std::fill_n(assignment.column_of.begin(), rows, std::int16_t{-1});
-  assignment.matched = 0;
-  assignment.weight = 0;
   for (std::size_t k = 1; k <= long_side; ++k) {
     if (solver.row_of[k] == 0) continue;
     const std::size_t row = (turned ? k : solver.row_of[k]) - 1;
     const std::size_t column = (turned ? solver.row_of[k] : k) - 1;
-    const double weight = weights[row * columns + column];
-    if (!(weight > 0)) continue;
-    assignment.column_of[row] = static_cast<std::int16_t>(column);
+    if (weights[row * columns + column] > 0)
+      assignment.column_of[row] = static_cast<std::int16_t>(column);
+  }
+}
+
+}  // namespace
+
+void assign(std::span<const double> weights, std::size_t rows, std::size_t columns,
+            Assignment& assignment) noexcept {
+  ASPECT_DCHECK(rows <= kMaxSide && columns <= kMaxSide && weights.size() >= rows * columns);
+  if (!take_best(weights, rows, columns, assignment)) solve(weights, rows, columns, assignment);
+  assignment.matched = 0;
+  assignment.weight = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (assignment.column_of[row] < 0) continue;
     ++assignment.matched;
-    assignment.weight += weight;
+    assignment.weight +=
+        weights[row * columns + static_cast<std::size_t>(assignment.column_of[row])];
   }
 }
 

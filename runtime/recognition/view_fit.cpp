@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "runtime/base/portable_math.h"
 
@@ -25,6 +26,13 @@ float radius(Point2 p) {
 
 float angle_rad(float up, float across) {
   return static_cast<float>(portable_atan2(static_cast<double>(up), static_cast<double>(across)));
+}
+
+// In units of the blob instead of the contour.
+Moments in_blob(const Moments& m, float area) {
+  const float third = area * std::sqrt(area);
+  return {m.xx * area,   m.xy * area,   m.yy * area,  m.xxx * third,
+          m.xxy * third, m.xyy * third, m.yyy * third};
 }
 
 // Direction of the main axis of a second moment.
@@ -44,7 +52,8 @@ void ViewFitter::set_contours(std::span<const ContourFeature> seen) {
   anchor_count_ = 0;
   float best = 0, second = 0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    const float distance = radius(seen_[i].position);
+    const float area = seen_[i].area, distance = radius(seen_[i].position);
+    of_seen_[i] = {alone(area), distance, in_blob(seen_[i].moments, area)};
     const float lever = distance * std::sqrt(seen_[i].area);
     if (distance < kLeastLever || lever <= second) continue;
     if (lever > best) {
@@ -62,22 +71,25 @@ void ViewFitter::set_contours(std::span<const ContourFeature> seen) {
 
 // Fills roll_free_ and adds up the least that every seen contour must cost.
 float ViewFitter::least_cost(std::span<const KeyContour> key) {
-  float total = 0;
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    const ContourFeature& a = seen_[i];
-    float least = alone(a.area);
-    for (std::size_t k = 0; k < key.size(); ++k) {
-      const ContourFeature& b = key[k].feature;
+  std::array<float, kMaxSide> least;
+  for (std::size_t i = 0; i < seen_.size(); ++i) least[i] = of_seen_[i].alone;
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    const ContourFeature& b = key[k].feature;
+    const float b_radius = radius(b.position);
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      const ContourFeature& a = seen_[i];
+      const float distance = square((of_seen_[i].radius - b_radius) / scales_.position);
       const float cost = (square(a.share[0] - b.share[0]) + square(a.share[1] - b.share[1]) +
                           square(a.share[2] - b.share[2])) /
                              square(scales_.share) +
-                         square((a.area - b.area) / scales_.area) +
-                         square((radius(a.position) - radius(b.position)) / scales_.position);
+                         square((a.area - b.area) / scales_.area) + distance;
       roll_free_[i * key.size() + k] = cost;
-      least = std::min(least, cost);
+      placeless_[i * key.size() + k] = cost - distance;
+      least[i] = std::min(least[i], cost);
     }
-    total += least;
   }
+  float total = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) total += least[i];
   return total;
 }
 
@@ -91,8 +103,7 @@ std::size_t ViewFitter::candidate_turns(std::span<const KeyContour> key) {
     for (std::size_t k = 0; k < key.size() && count + 4 < kMaxTurns; ++k) {
       const Point2 b = key[k].feature.position;
       const float length = radius(a) * radius(b);
-      if (radius(b) < kLeastLever || roll_free_[i * key.size() + k] > alone(seen_[i].area))
-        continue;
+      if (radius(b) < kLeastLever || roll_free_[i * key.size() + k] > of_seen_[i].alone) continue;
       turns_[count++] = {(a.x * b.x + a.y * b.y) / length, (a.y * b.x - a.x * b.y) / length};
     }
   }
@@ -111,37 +122,56 @@ std::size_t ViewFitter::candidate_turns(std::span<const KeyContour> key) {
   return count;
 }
 
-float ViewFitter::evaluate(std::span<const KeyContour> key, Turn turn, Assignment& assignment) {
+// On top of `cost`, what two shapes differ by.
+float ViewFitter::add_shape(float cost, const Moments& a, const Moments& b) const {
+  cost += (square(a.xx - b.xx) + 2 * square(a.xy - b.xy) + square(a.yy - b.yy)) /
+          square(scales_.second);
+  cost += (square(a.xxx - b.xxx) + 3 * square(a.xxy - b.xxy) + 3 * square(a.xyy - b.xyy) +
+           square(a.yyy - b.yyy)) /
+          square(scales_.third);
+  return cost;
+}
+
+// No assignment weighs more: every seen contour has its best partner.
+double ViewFitter::most_weight(std::size_t columns) const {
+  double total = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    double best = 0;
+    for (std::size_t k = 0; k < columns; ++k) best = std::max(best, weights_[i * columns + k]);
+    total += best;
+  }
+  return total;
+}
+
+// The cost, or something of at least `give_up` that it is not below.
+float ViewFitter::evaluate(std::span<const KeyContour> key, Turn turn, float give_up,
+                           Assignment& assignment) {
+  const Turning turning(turn.cos, turn.sin);
   float total = scales_.roll * (1 - turn.cos) / 2;
-  for (const ContourFeature& contour : seen_) total += alone(contour.area);
+  for (std::size_t i = 0; i < seen_.size(); ++i) total += of_seen_[i].alone;
   for (std::size_t k = 0; k < key.size(); ++k) {
-    const ContourFeature& original = key[k].feature;
-    const ContourFeature b = turned(original, turn.cos, turn.sin);
+    const ContourFeature& b = key[k].feature;
     const float key_alone = alone(b.area);
     total += key_alone;
-    const float b_third = b.area * std::sqrt(b.area);
+    const Point2 place = turning(b.position);
+    std::optional<Moments> shape;  // most have no partner that it must be known for
     for (std::size_t i = 0; i < seen_.size(); ++i) {
-      const ContourFeature& a = seen_[i];
-      const float most = alone(a.area) + key_alone;
+      const float most = of_seen_[i].alone + key_alone;
       double& weight = weights_[i * key.size() + k];
       weight = 0;
-      float cost = roll_free_[i * key.size() + k] -
-                   square((radius(a.position) - radius(original.position)) / scales_.position);
+      float cost = placeless_[i * key.size() + k];
       if (cost >= most) continue;
-      const float a_third = a.area * std::sqrt(a.area);
-      const auto second = [&](float p, float q) { return square(p * a.area - q * b.area); };
-      const auto third = [&](float p, float q) { return square(p * a_third - q * b_third); };
-      cost += (square(a.position.x - b.position.x) + square(a.position.y - b.position.y)) /
-              square(scales_.position);
-      cost += (second(a.moments.xx, b.moments.xx) + 2 * second(a.moments.xy, b.moments.xy) +
-               second(a.moments.yy, b.moments.yy)) /
-              square(scales_.second);
-      cost += (third(a.moments.xxx, b.moments.xxx) + 3 * third(a.moments.xxy, b.moments.xxy) +
-               3 * third(a.moments.xyy, b.moments.xyy) + third(a.moments.yyy, b.moments.yyy)) /
-              square(scales_.third);
-      weight = static_cast<double>(most - cost);
+      const Point2 a = seen_[i].position;
+      cost += (square(a.x - place.x) + square(a.y - place.y)) / square(scales_.position);
+      if (cost >= most) continue;
+      if (!shape) shape = in_blob(turning(b.moments), b.area);
+      weight = static_cast<double>(most - add_shape(cost, of_seen_[i].shape, *shape));
     }
   }
+  // Sums differ in their last digits by the order that they are made in.
+  constexpr double kRounding = 1 + 1e-9;
+  const float bound = total - static_cast<float>(most_weight(key.size()) * kRounding);
+  if (bound >= give_up) return bound;
   assign(weights_, seen_.size(), key.size(), assignment);
   return total - static_cast<float>(assignment.weight);
 }
@@ -169,7 +199,7 @@ ViewFit ViewFitter::fit(std::span<const KeyContour> key, float give_up) {
   Turn best_turn;
   Assignment assignment;
   const auto attempt = [&](Turn turn) {
-    const float cost = evaluate(key, turn, assignment);
+    const float cost = evaluate(key, turn, best.cost, assignment);
     if (cost >= best.cost) return;
     best.cost = cost;
     best.assignment = assignment;

@@ -43,16 +43,25 @@ class ViewFitter {
   };
   float least_cost(std::span<const KeyContour> key);
   std::size_t candidate_turns(std::span<const KeyContour> key);
-  float evaluate(std::span<const KeyContour> key, Turn turn, Assignment& assignment);
+  float evaluate(std::span<const KeyContour> key, Turn turn, float give_up, Assignment& assignment);
+  float add_shape(float cost, const Moments& a, const Moments& b) const;
+  double most_weight(std::size_t columns) const;
   Turn aligned(std::span<const KeyContour> key, const Assignment& assignment, Turn otherwise) const;
   float alone(float area) const;
 
   static constexpr std::size_t kMaxTurns = 24;
   ViewFitScales scales_;
+  // What is needed again and again of a seen contour.
+  struct Seen {
+    float alone = 0, radius = 0;
+    Moments shape;  // in units of the blob
+  };
   std::span<const ContourFeature> seen_;
+  std::array<Seen, kMaxSide> of_seen_{};
   std::array<std::size_t, 2> anchors_{};
   std::size_t anchor_count_ = 0;
-  std::array<float, kMaxSide * kMaxSide> roll_free_{};
+  std::array<float, kMaxSide * kMaxSide> roll_free_{};  // cost of what does not change with roll,
+  std::array<float, kMaxSide * kMaxSide> placeless_{};  // and without that of the distance
   std::array<double, kMaxSide * kMaxSide> weights_{};
   std::array<Turn, kMaxTurns> turns_{};
 };

@@ -21,25 +21,44 @@ ContourFeature feature_of(const Contour& contour, const Blob& blob) {
   return feature;
 }
 
-Moments turned(const Moments& m, float c, float s) {
+Turning::Turning(float c, float s)
+    : c_(c),
+      s_(s),
+      cc_(c * c),
+      cs_(c * s),
+      ss_(s * s),
+      cs2_(2 * c * s),
+      cos2_(c * c - s * s),
+      ccc_(c * c * c),
+      ccs_(c * c * s),
+      css_(c * s * s),
+      sss_(s * s * s),
+      ccs3_(3 * c * c * s),
+      css3_(3 * c * s * s),
+      ccc_css2_(c * c * c - 2 * c * s * s),
+      sss_ccs2_(s * s * s - 2 * c * c * s) {}
+
+Moments Turning::operator()(const Moments& m) const {
   Moments out;
-  out.xx = c * c * m.xx - 2 * c * s * m.xy + s * s * m.yy;
-  out.xy = c * s * (m.xx - m.yy) + (c * c - s * s) * m.xy;
-  out.yy = s * s * m.xx + 2 * c * s * m.xy + c * c * m.yy;
-  out.xxx = c * c * c * m.xxx - 3 * c * c * s * m.xxy + 3 * c * s * s * m.xyy - s * s * s * m.yyy;
-  out.xxy = c * c * s * m.xxx + (c * c * c - 2 * c * s * s) * m.xxy +
-            (s * s * s - 2 * c * c * s) * m.xyy + c * s * s * m.yyy;
-  out.xyy = c * s * s * m.xxx + (2 * c * c * s - s * s * s) * m.xxy +
-            (c * c * c - 2 * c * s * s) * m.xyy - c * c * s * m.yyy;
-  out.yyy = s * s * s * m.xxx + 3 * c * s * s * m.xxy + 3 * c * c * s * m.xyy + c * c * c * m.yyy;
+  out.xx = cc_ * m.xx - cs2_ * m.xy + ss_ * m.yy;
+  out.xy = cs_ * (m.xx - m.yy) + cos2_ * m.xy;
+  out.yy = ss_ * m.xx + cs2_ * m.xy + cc_ * m.yy;
+  out.xxx = ccc_ * m.xxx - ccs3_ * m.xxy + css3_ * m.xyy - sss_ * m.yyy;
+  out.xxy = ccs_ * m.xxx + ccc_css2_ * m.xxy + sss_ccs2_ * m.xyy + css_ * m.yyy;
+  out.xyy = css_ * m.xxx - sss_ccs2_ * m.xxy + ccc_css2_ * m.xyy - ccs_ * m.yyy;
+  out.yyy = sss_ * m.xxx + css3_ * m.xxy + ccs3_ * m.xyy + ccc_ * m.yyy;
   return out;
 }
 
+Moments turned(const Moments& moments, float c, float s) {
+  return Turning(c, s)(moments);
+}
+
 ContourFeature turned(const ContourFeature& feature, float c, float s) {
+  const Turning turning(c, s);
   ContourFeature out = feature;
-  out.position = {c * feature.position.x - s * feature.position.y,
-                  s * feature.position.x + c * feature.position.y};
-  out.moments = turned(feature.moments, c, s);
+  out.position = turning(feature.position);
+  out.moments = turning(feature.moments);
   return out;
 }
 

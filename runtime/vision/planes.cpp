@@ -26,6 +26,24 @@ int margin_px(PixelFormat format) {
   }
 }
 
+// The first pixel from x to `end` that may be bright by itself, or `end`.
+int first_bright(const PixelRows& rows, std::uint8_t least, int y, int x, int end) {
+  if (x >= end || !rows.may_reach(least, y, x, end - x)) return end;
+  if (end - x == 1) return x;
+  const int middle = x + (end - x) / 2;
+  const int first = first_bright(rows, least, y, x, middle);
+  return first < middle ? first : first_bright(rows, least, y, middle, end);
+}
+
+// One behind the last such pixel, or x.
+int end_of_bright(const PixelRows& rows, std::uint8_t least, int y, int x, int end) {
+  if (x >= end || !rows.may_reach(least, y, x, end - x)) return x;
+  if (end - x == 1) return end;
+  const int middle = x + (end - x) / 2;
+  const int last = end_of_bright(rows, least, y, middle, end);
+  return last > middle ? last : end_of_bright(rows, least, y, x, middle);
+}
+
 }  // namespace
 
 Box part_looked_at(const Frame& frame, const VisionParameters& parameters) {
@@ -62,15 +80,9 @@ Box foreground_box(const Frame& frame, const VisionParameters& parameters) {
     if (!rows.may_reach(least, y, roi.x, roi.width)) continue;
     top = std::min(top, y);
     bottom = y + 1;
-    const auto bright = [&](int x) { return rows.may_reach(least, y, x, 1); };
-    // Most rows reach no farther than those before: that is seen without a look at single pixels.
-    const int end = roi.x + roi.width;
-    if (rows.may_reach(least, y, roi.x, left - roi.x))
-      for (int x = roi.x; x < left; ++x)
-        if (bright(x)) left = x;
-    if (rows.may_reach(least, y, right, end - right))
-      for (int x = end; x > right; --x)
-        if (bright(x - 1)) right = x;
+    // Most rows reach no farther than those before.
+    left = first_bright(rows, least, y, roi.x, left);
+    right = end_of_bright(rows, least, y, right, roi.x + roi.width);
   }
   if (top >= bottom || left >= right) return {};
   const int margin = margin_px(frame.format);

@@ -28,46 +28,87 @@ inline Byte rounded(Word value) {
   return static_cast<Byte>(std::clamp<Word>(whole, 0, 255));
 }
 
+// Parted by their places in a pair, which vector units load at once.
 struct Block {
-  Byte y[2 * kPairs], u[kPairs], v[kPairs];
+  Byte even[kPairs], odd[kPairs], u[kPairs], v[kPairs];
 };
 
-// Pairs [first, first + kPairs), or as many as there are.
+void split2(const Byte* __restrict from, Byte* __restrict first, Byte* __restrict second) {
+  for (int i = 0; i < kPairs; ++i) {
+    first[i] = from[2 * i];
+    second[i] = from[2 * i + 1];
+  }
+}
+
+void split4(const Byte* __restrict from, Byte* __restrict first, Byte* __restrict second,
+            Byte* __restrict third, Byte* __restrict fourth) {
+  for (int i = 0; i < kPairs; ++i) {
+    first[i] = from[4 * i];
+    second[i] = from[4 * i + 1];
+    third[i] = from[4 * i + 2];
+    fourth[i] = from[4 * i + 3];
+  }
+}
+
+bool is_packed(const YuvPairs& pairs) {
+  return pairs.luma_step == 2;
+}
+
+// Four bytes a pair.
+const Byte* packed(const YuvPairs& pairs, int first) {
+  return std::min(pairs.luma, pairs.u) + 4 * first;
+}
+
+// Two bytes a pair, in a plane of their own.
+const Byte* chroma(const YuvPairs& pairs, int first) {
+  return std::min(pairs.u, pairs.v) + 2 * first;
+}
+
+// Of a block at the end of a row, what there is of it, and zeros.
+class Padded {
+ public:
+  const Byte* operator()(const Byte* from, int have, int wanted) {
+    if (have >= wanted) return from;
+    std::memcpy(room_, from, static_cast<std::size_t>(have));
+    return room_;
+  }
+
+ private:
+  Byte room_[4 * kPairs] = {};
+};
+
+// Pairs [first, first + count), at most kPairs of them.
 void load(const YuvPairs& pairs, int first, int count, Block& block) {
-  const Byte* __restrict luma = pairs.luma + 2 * first * pairs.luma_step;
-  const Byte* __restrict u = pairs.u + first * pairs.chroma_step;
-  const Byte* __restrict v = pairs.v + first * pairs.chroma_step;
-  const int least = std::min(count, kPairs);
-  if (least == kPairs && pairs.luma_step == 2) {
-    for (int i = 0; i < 2 * kPairs; ++i) block.y[i] = luma[2 * i];
-    for (int i = 0; i < kPairs; ++i) {
-      block.u[i] = u[4 * i];
-      block.v[i] = v[4 * i];
-    }
+  Padded padded, padded_luma;
+  if (is_packed(pairs)) {
+    const Byte* from = padded(packed(pairs, first), 4 * count, 4 * kPairs);
+    if (pairs.luma < pairs.u)
+      split4(from, block.even, block.u, block.odd, block.v);
+    else
+      split4(from, block.u, block.even, block.v, block.odd);
     return;
   }
-  for (int i = 0; i < 2 * least; ++i) block.y[i] = luma[i * pairs.luma_step];
-  for (int i = 0; i < least; ++i) {
-    block.u[i] = u[i * pairs.chroma_step];
-    block.v[i] = v[i * pairs.chroma_step];
-  }
+  split2(padded_luma(pairs.luma + 2 * first, 2 * count, 2 * kPairs), block.even, block.odd);
+  const Byte* from = padded(chroma(pairs, first), 2 * count, 2 * kPairs);
+  if (pairs.u < pairs.v)
+    split2(from, block.u, block.v);
+  else
+    split2(from, block.v, block.u);
 }
 
 // Of each pair, what its chroma adds to red, green and blue.
 struct Tints {
-  Word red[2 * kPairs], green[2 * kPairs], blue[2 * kPairs];
+  Word red[kPairs], green[kPairs], blue[kPairs];
 };
 
 void tint(const Block& block, const YuvFactors& factors, Tints& tints) {
   for (int i = 0; i < kPairs; ++i) {
     const auto u = static_cast<Word>((block.u[i] - 128) * 256);
     const auto v = static_cast<Word>((block.v[i] - 128) * 256);
-    const Word red = upper_half(v, factors.red_v), blue = upper_half(u, factors.blue_u);
-    const auto green =
+    tints.red[i] = upper_half(v, factors.red_v);
+    tints.green[i] =
         static_cast<Word>(upper_half(u, factors.green_u) + upper_half(v, factors.green_v));
-    tints.red[2 * i] = tints.red[2 * i + 1] = red;
-    tints.green[2 * i] = tints.green[2 * i + 1] = green;
-    tints.blue[2 * i] = tints.blue[2 * i + 1] = blue;
+    tints.blue[i] = upper_half(u, factors.blue_u);
   }
 }
 
@@ -75,16 +116,73 @@ inline Word scaled_luma(Byte y, const YuvFactors& factors) {
   return upper_half(static_cast<Word>((y - factors.black) * 128), factors.luma);
 }
 
-void colour(const Block& block, const YuvFactors& factors, Byte* __restrict red,
-            Byte* __restrict green, Byte* __restrict blue) {
+struct Lumas {
+  Word even[kPairs], odd[kPairs];
+};
+
+void channel(const Lumas& lumas, const Word* __restrict tint, Byte* __restrict out) {
+  for (int i = 0; i < kPairs; ++i) {
+    out[2 * i] = rounded(static_cast<Word>(lumas.even[i] + tint[i]));
+    out[2 * i + 1] = rounded(static_cast<Word>(lumas.odd[i] + tint[i]));
+  }
+}
+
+void colour(const Block& block, const YuvFactors& factors, Byte* red, Byte* green, Byte* blue) {
   Tints tints;
   tint(block, factors, tints);
-  for (int i = 0; i < 2 * kPairs; ++i) {
-    const Word luma = scaled_luma(block.y[i], factors);
-    red[i] = rounded(static_cast<Word>(luma + tints.red[i]));
-    green[i] = rounded(static_cast<Word>(luma + tints.green[i]));
-    blue[i] = rounded(static_cast<Word>(luma + tints.blue[i]));
+  Lumas lumas;
+  for (int i = 0; i < kPairs; ++i) {
+    lumas.even[i] = scaled_luma(block.even[i], factors);
+    lumas.odd[i] = scaled_luma(block.odd[i], factors);
   }
+  channel(lumas, tints.red, red);
+  channel(lumas, tints.green, green);
+  channel(lumas, tints.blue, blue);
+}
+
+struct Extremes {
+  Byte luma = 0, lowest = 255, highest = 0;
+
+  void add(Byte y, Byte chroma) {
+    luma = std::max(luma, y);
+    lowest = std::min(lowest, chroma);
+    highest = std::max(highest, chroma);
+  }
+};
+
+// Of as many luma as chroma bytes: U and V alike stand beside the luma of one pixel.
+template <typename Layout>
+inline Extremes extremes(Layout layout, int bytes) {
+  Extremes all;
+  for (int i = 0; i < bytes; ++i) all.add(layout.luma(i), layout.chroma(i));
+  return all;
+}
+
+template <int kLumaPlace>
+struct PackedLayout {
+  const Byte* from;
+  Byte luma(int i) const { return from[2 * i + kLumaPlace]; }
+  Byte chroma(int i) const { return from[2 * i + 1 - kLumaPlace]; }
+};
+
+struct PlanarLayout {
+  const Byte *lumas, *chromas;
+  Byte luma(int i) const { return lumas[i]; }
+  Byte chroma(int i) const { return chromas[i]; }
+};
+
+// A whole block has a length that the compiler knows.
+template <typename Layout>
+Extremes extremes_of_pairs(Layout layout, int count) {
+  return count == kPairs ? extremes(layout, 2 * kPairs) : extremes(layout, 2 * count);
+}
+
+Extremes extremes_of(const YuvPairs& pairs, int first, int count) {
+  if (!is_packed(pairs))
+    return extremes_of_pairs(PlanarLayout{pairs.luma + 2 * first, chroma(pairs, first)}, count);
+  const Byte* from = packed(pairs, first);
+  return pairs.luma < pairs.u ? extremes_of_pairs(PackedLayout<0>{from}, count)
+                              : extremes_of_pairs(PackedLayout<1>{from}, count);
 }
 
 // An upper bound of the channels, in 1/16384, of luma and distance from grey.
@@ -126,7 +224,7 @@ void yuv_row(const YuvPairs& pairs, const YuvFactors& factors, int x, int count,
   Block block{};
   const int end = x + count;
   for (int first = x / 2; 2 * first < end; first += kPairs) {
-    load(pairs, first, (end + 1) / 2 - first, block);
+    load(pairs, first, std::min((end + 1) / 2 - first, kPairs), block);
     const int from = std::max(x, 2 * first), to = std::min(end, 2 * (first + kPairs));
     if (to - from == 2 * kPairs) {
       colour(block, factors, red + from - x, green + from - x, blue + from - x);
@@ -147,17 +245,9 @@ void luma_row(const YuvPairs& pairs, const YuvFactors& factors, int x, int count
 }
 
 bool yuv_may_reach(const YuvPairs& pairs, const YuvFactors& factors, Byte least, int x, int count) {
-  Block block{};
   const int end = (x + count + 1) / 2, enough = least * 16384;
   for (int first = x / 2; first < end; first += kPairs) {
-    load(pairs, first, end - first, block);
-    const int have = std::min(end - first, kPairs);
-    Byte luma = 0, lowest = 255, highest = 0;
-    for (int i = 0; i < 2 * have; ++i) luma = std::max(luma, block.y[i]);
-    for (int i = 0; i < have; ++i) {
-      lowest = std::min({lowest, block.u[i], block.v[i]});
-      highest = std::max({highest, block.u[i], block.v[i]});
-    }
+    const auto [luma, lowest, highest] = extremes_of(pairs, first, std::min(end - first, kPairs));
     if (brightest(luma, std::max(128 - lowest, highest - 128), factors) >= enough) return true;
   }
   return false;

@@ -34,7 +34,7 @@ for test in "$@"; do
   begin=$SECONDS
   here_is='no success'
   if ctest --test-dir "$build" -R "^$test\$" --no-tests=error -V >"$log" 2>&1; then
-    here_is=$(summary "$log")
+    here_is=$(summary "$test" "$log")
   fi
   wanted=$(cat "$results/$test.txt")
   if [ "$here_is" = "$wanted" ]; then

@@ -13,5 +13,5 @@ mkdir -p "$results/samples"
 export ASPECT_SAMPLES=$results/samples
 for test in "$@"; do
   "$bin/$test" >"$results/$test.log" 2>&1 || { cat "$results/$test.log" >&2; exit 1; }
-  summary "$results/$test.log" >"$results/$test.txt"
+  summary "$test" "$results/$test.log" >"$results/$test.txt"
 done

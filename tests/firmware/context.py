@@ -25,6 +25,7 @@ class Context:
 
     def __init__(self, arguments):
         self.arch = arguments.arch
+        self.processor = arguments.processor or arguments.arch
         self.build = arguments.build
         self.replay = arguments.replay
         self.device_programs = arguments.device_programs
@@ -79,6 +80,7 @@ class Context:
 def run(test):
     parser = argparse.ArgumentParser()
     parser.add_argument("--arch", required=True, choices=["arm64", "amd64"])
+    parser.add_argument("--processor", help="that --device-programs are for; as --arch if left out")
     parser.add_argument("--build", required=True, help="folder that prepare.sh filled")
     parser.add_argument("--guest-programs", required=True, help="feeder, grab and stamp")
     parser.add_argument("--device-programs", required=True, help="static aspectd, aspect-replay")

@@ -13,10 +13,16 @@ def configuration(indexes, width, height, fourcc, device="/dev/video0", extra=""
     """The text of an aspectd.toml; paths are the guest's."""
     output = '[output]\nstdout = %s\n' % ("false" if file else "true")
     if file:
-        output += '[output.file]\npath = "%s"\n' % file
+        output += '[output.file]\npath = "%s"\nmax_mib = 4\nkeep = 9\n' % file
     return ('indexes = [%s]\n[camera]\ndevice = "%s"\nwidth = %d\nheight = %d\nformat = "%s"\n%s\n%s'
             % (", ".join('"%s"' % index for index in indexes), device, width, height, fourcc, extra,
                output)).encode()
+
+
+def rotated(names, file):
+    """Those of a file of lines, the oldest first."""
+    return sorted((name for name in names if re.fullmatch(re.escape(file) + r"(\.\d+)?", name)),
+                  key=lambda name: -int(name[len(file) + 1:] or 0))
 
 
 def result_of(line):

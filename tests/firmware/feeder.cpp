@@ -5,6 +5,7 @@
 //   play FILE HOLD [TIMES]      the frames of NAME.WIDTHxHEIGHT.FOURCC, each for HOLD periods of
 //                               the output; the last one stays
 //   set CONTROL VALUE           of the capture node, by v4l2-ctl's name or 0x and the number
+//   locked CONTROL VALUE        tries to set it; fails unless that is refused as busy
 //   wait MS
 //   hold WIDTH HEIGHT FOURCC    streams from the capture node, as soon as that is possible
 //   release                     gives the capture node back
@@ -173,6 +174,11 @@ bool Feeder::perform(const std::string& line) {
   if (verb == "mark") return true;
   if (verb == "set")
     return open(capture_) && done(capture_.set_control(words.text(1), words.number(2)), capture_);
+  if (verb == "locked") {
+    if (!open(capture_)) return false;
+    const int error = capture_.set_control(words.text(1), words.number(2));
+    return error == EBUSY || fail(error == 0 ? "it could be set" : capture_.what());
+  }
   if (verb == "wait") {
     sleep_ms(words.number(1));
   } else if (verb == "release") {

@@ -19,7 +19,7 @@ LINES = "/run/results/seen.ndjson"
 
 def feeder_script():
     period_ms = 1000 / 59.94
-    between_ms = int(FRAMES * period_ms / SAMPLES)
+    between_ms = int(FRAMES * period_ms / (SAMPLES + 1))
     sampled = "".join("sleep %.3f; sample s%02d; " % (between_ms / 1000, i) for i in range(SAMPLES))
     # One round of all pictures more than asked for, so that the last sample sees them all.
     return """loop %d %d %s
@@ -40,17 +40,18 @@ def long_run_test(context):
     script = """. /test/steps
 load_vivid ccs_cap_mode=1 ccs_out_mode=2
 feeder </test/feed >feeder.log
-cat %s.? %s >all.ndjson 2>/dev/null || cp %s all.ndjson
-""" % (LINES, LINES, LINES)
+"""
     files = {"test/feed": feeder_script().encode(),
              "test/aspectd.toml": contract.configuration(
                  ["cube.aspect"], WIDTH, HEIGHT, FOURCC, extra=EXTRA, file=LINES)}
     outcome = context.boot("long_run", script, files, [FRAME_FILE], limit_s=500)
 
-    lines = [json.loads(line) for line in outcome.text("all.ndjson").splitlines()]
+    files = contract.rotated(outcome.files, LINES.rsplit("/", 1)[1])
+    text = "".join(outcome.text(name) for name in files)
+    lines = [json.loads(line) for line in text.splitlines()]
     frames = [line for line in lines if "objects" in line]
-    print("%d frames, %d KiB of lines, %.2f million instructions each" % (
-        len(frames), len(outcome.files["all.ndjson"]) // 1024,
+    print("%d frames, %d KiB of lines in %d files, %.2f million instructions each" % (
+        len(frames), len(text) // 1024, len(files),
         sum(frame["elapsed_ms"] for frame in frames) / len(frames)))
     check(len(frames) >= FRAMES, "only %d frames in the log" % len(frames))
     numbers = [frame["sequence"] for frame in frames]

@@ -22,6 +22,29 @@ usage: aspectd --config FILE.toml [--check]
   --version           print the version
   --help              print this
 
+The configuration is TOML; whatever is left out has a default, but for indexes.
+  indexes = ["NAME.aspect", ...]  files, from the configuration's folder on
+  [camera]          device = "/dev/video0", "bus:PLACE" or "serial:NUMBER"; width, height, rate,
+                    format = "YUYV"; stall_ms (silence after which it is started anew);
+                    fx, fy, cx, cy (its lens, in pixels)
+  [camera.controls] NAME = NUMBER, ... as v4l2-ctl --list-ctrls names them, set in this order
+  [segmentation]    region_of_interest = [x, y, width, height]; area_min_px, intensity_min and the
+                    others that an index was compiled with
+  [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack
+  [output]          stdout = true; and one table for each of
+  [output.file]     path, max_mib, keep (older files kept)
+  [output.socket]   path
+  [output.tcp]      port, address
+  [output.mqtt]     host, port, topic, client, user, password_file
+  [output.http]     port, address: a page with what the camera sees
+  [[output.trigger]] object, score_min, frames, and command = ["/PROGRAM", ...] (it finds
+                    ASPECT_OBJECT and ASPECT_SEEN in its environment) or gpio_chip and gpio_line
+  [process]         lock_memory, realtime_priority, cpus = [3]
+
+A frame's line is aspect-replay's, with "capture": time_s, latency_ms, and how many frames before it
+were late, lost and damaged. Another state is a line with "state": streaming, absent, busy,
+no_signal, stalled, failed, damaged, reloaded, reload_failed; and one on standard error.
+
 SIGHUP reads the configuration and the indexes anew; if they are no good the old ones go on.
 SIGTERM and SIGINT end it.
 

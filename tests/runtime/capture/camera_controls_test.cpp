@@ -109,6 +109,17 @@ TEST_CASE("Controls that are missing, refused, read-only, held or rounded are wa
   CHECK_THAT(bench.warning_of({{"pixel_rate", 9}}), Contains("not a number"));
 }
 
+TEST_CASE("Controls are locked where the driver can, and left alone where none are asked for") {
+  Bench bench;
+  REQUIRE_FALSE(bench.set({}));
+  CHECK(bench.device.priority == V4L2_PRIORITY_DEFAULT);
+  REQUIRE_FALSE(bench.set({{"gain", 17}}));
+  CHECK(bench.device.priority == V4L2_PRIORITY_RECORD);
+  bench.device.has_priorities = false;
+  CHECK_THAT(bench.warning_of({{"gain", 18}}), Contains("no lock"));
+  CHECK(bench.values == Texts{"gain = 18"});
+}
+
 TEST_CASE("A camera that goes away meanwhile is absent") {
   Bench bench;
   bench.device.errors[VIDIOC_S_CTRL] = {ENODEV};

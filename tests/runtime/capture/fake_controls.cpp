@@ -110,6 +110,10 @@ int fake_control_ioctl(FakeCamera& camera, unsigned long request, void* argument
     case VIDIOC_G_EXT_CTRLS:
       return transfer_wide(camera, *static_cast<v4l2_ext_controls*>(argument),
                            request == VIDIOC_S_EXT_CTRLS);
+    case VIDIOC_S_PRIORITY:
+      if (!camera.has_priorities) return ENOTTY;
+      camera.priority = *static_cast<std::uint32_t*>(argument);
+      return 0;
     case VIDIOC_SUBSCRIBE_EVENT:
     case VIDIOC_DQEVENT:
       return event_ioctl(camera, request, argument);

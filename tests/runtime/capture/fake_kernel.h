@@ -42,6 +42,8 @@ struct FakeCamera {
   std::uint32_t gap_bytes = 0;  // after each row
   std::uint32_t colorspace = V4L2_COLORSPACE_SRGB, encoding = 0, quantization = 0;
   bool has_inputs = false, digital_video = false;
+  std::uint32_t priority = V4L2_PRIORITY_DEFAULT;
+  bool has_priorities = true;
   std::uint32_t stamp_flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
 
   // What is wrong with it.

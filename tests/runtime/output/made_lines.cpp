@@ -4,7 +4,7 @@ namespace aspect {
 
 std::string made_line(std::uint64_t number, std::size_t longest) {
   std::string line = std::to_string(number) + " ";
-  const std::size_t length = 20 + (number * 2654435761U >> 7U) % (longest - 19);
+  const auto length = static_cast<std::size_t>(20 + (number * 2654435761U >> 7U) % (longest - 19));
   for (std::uint64_t k = number; line.size() + 1 < length; ++k)
     line.push_back(static_cast<char>('a' + (k * k + number) % 26));
   return line + "\n";
