@@ -1,9 +1,14 @@
 #include "runtime/capture/camera_formats.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "runtime/capture/camera_decoder.h"
 #include "runtime/capture/camera_negotiation.h"
@@ -227,25 +232,32 @@ TEST_CASE("An endless list of formats ends") {
   CHECK_FALSE(negotiate(device, {}).fault);
 }
 
+// A decoder for a camera that has nothing but this format, at 64 x 48.
+struct DecoderBench {
+  explicit DecoderBench(std::uint32_t fourcc) {
+    device.formats = {{fourcc, {{64, 48}}}};
+    CameraSettings settings;
+    settings.width_px = 64;
+    settings.height_px = 48;
+    const Agreement agreed = negotiate(device, settings, true);
+    REQUIRE_FALSE(agreed.fault);
+    REQUIRE(agreed.stream.format.decoded);
+    kernel.nodes["/dev/video0"] = &device;
+    REQUIRE(decoder.open(kernel, kernel.open("/dev/video0"), agreed.stream));
+  }
+  FakeCamera device;
+  FakeKernel kernel;
+  CameraDecoder decoder;
+};
+
 TEST_CASE("A format that is not ours comes out of the decoder as RGB") {
   if (!CameraDecoder::available()) return;
-  FakeCamera device;
-  device.formats = {{V4L2_PIX_FMT_YVYU, {{64, 48}}}};
-  CameraSettings settings;
-  settings.width_px = 64;
-  settings.height_px = 48;
-  const Agreement agreed = negotiate(device, settings, true);
-  REQUIRE_FALSE(agreed.fault);
-  REQUIRE(agreed.stream.format.decoded);
-  FakeKernel kernel;
-  kernel.nodes["/dev/video0"] = &device;
-  CameraDecoder decoder;
-  REQUIRE(decoder.open(kernel, kernel.open("/dev/video0"), agreed.stream));
+  DecoderBench bench(V4L2_PIX_FMT_YVYU);
   // Y 128, V 128 and U 128 are grey; more V is red.
   std::vector<std::uint8_t> picture(64 * 48 * 2, 128);
   for (std::size_t k = 1; k < picture.size() / 2; k += 4) picture[k] = 200;
   Frame frame;
-  REQUIRE(decoder.decode(picture, frame));
+  REQUIRE(bench.decoder.decode(picture, frame));
   CHECK(frame.format == PixelFormat::rgb8);
   CHECK(frame.stride_bytes == 192);
   CHECK(int{frame.data[0]} > frame.data[2] + 50);
@@ -253,7 +265,37 @@ TEST_CASE("A format that is not ours comes out of the decoder as RGB") {
   const std::uint8_t* below = frame.data + 40 * frame.stride_bytes;
   CHECK(below[0] == below[1]);
   CHECK(below[1] == below[2]);
-  CHECK_FALSE(decoder.decode(std::span(picture).first(100), frame));
+  CHECK_FALSE(bench.decoder.decode(std::span(picture).first(100), frame));
+}
+
+TEST_CASE("MJPEG is decoded, and damaged or cut off pictures do no harm") {
+  if (!CameraDecoder::available()) return;
+  DecoderBench bench(V4L2_PIX_FMT_MJPEG);
+  std::ifstream file(ASPECT_SOURCE_DIR "/tests/data/camera/halves.jpg", std::ios::binary);
+  const std::vector<char> text(std::istreambuf_iterator<char>(file), {});
+  REQUIRE(text.size() > 500);
+  const std::vector<std::uint8_t> picture(text.begin(), text.end());
+  Frame frame;
+  REQUIRE(bench.decoder.decode(picture, frame));
+  const auto is_near = [&](int x, std::array<int, 3> rgb) {
+    const std::uint8_t* pixel = frame.data + 24 * frame.stride_bytes + 3 * x;
+    return std::abs(pixel[0] - rgb[0]) + std::abs(pixel[1] - rgb[1]) + std::abs(pixel[2] - rgb[2]) <
+           15;
+  };
+  CHECK(is_near(8, {220, 30, 30}));
+  CHECK(is_near(56, {30, 60, 220}));
+
+  CHECK_FALSE(bench.decoder.decode({}, frame));
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    std::vector<std::uint8_t> damaged = picture;
+    for (int change = 0; change < 4; ++change)
+      damaged[random() % damaged.size()] = static_cast<std::uint8_t>(random());
+    if (round % 3 == 0) damaged.resize(random() % damaged.size());
+    static_cast<void>(bench.decoder.decode(damaged, frame));
+  }
+  REQUIRE(bench.decoder.decode(picture, frame));
+  CHECK(is_near(8, {220, 30, 30}));
 }
 
 }  // namespace

@@ -2,14 +2,10 @@
 // replays the files of the corpus folders it is given, whole and damaged.
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <random>
-#include <string>
+#include <string_view>
 
+#include "tests/damaged_corpus.h"
 #include "tools/aspectc/project_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -23,29 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 #ifndef ASPECT_LIBFUZZER
 int main(int argc, char** argv) {
-  constexpr int kDamaged = 200;
-  std::mt19937 random(20260102);
-  int replayed = 0;
-  const auto replay = [&](const std::string& text) {
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    ++replayed;
-  };
-  for (int i = 1; i < argc; ++i) {
-    for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
-      std::ifstream stream(entry.path(), std::ios::binary);
-      const std::string text(std::istreambuf_iterator<char>(stream), {});
-      replay(text);
-      for (int round = 0; round < kDamaged && !text.empty(); ++round) {
-        std::string damaged = text;
-        for (int change = 0; change < 3; ++change)
-          damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
-        if (round % 4 == 0) damaged.resize(random() % damaged.size());
-        replay(damaged);
-      }
-    }
-  }
-  std::printf("%d projects replayed\n", replayed);
-  // An empty corpus would pass without a test.
-  return replayed > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return aspect::replay_damaged_corpus(argc, argv, LLVMFuzzerTestOneInput);
 }
 #endif
