@@ -41,7 +41,9 @@ std::vector<std::uint8_t> kept_sample(const std::string& name) {
   const auto file = file_of(name);
   ASPECT_CHECK(file.has_value());
   std::ifstream stream(*file, std::ios::binary);
-  if (!stream) std::fprintf(stderr, "no sample %s\n", file->c_str());
+  if (!stream)
+    std::fprintf(stderr, "no sample %s: run the same test of the release build first\n",
+                 file->c_str());
   ASPECT_CHECK(stream.good());
   return {std::istreambuf_iterator<char>(stream), {}};
 }
