@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 level=5
 case "${1:-}" in
   '') ;;
-  --short) level=4 ;;
+  --short) level=3 ;;
   *) echo "usage: tools/demo.sh [--short]" >&2; exit 2 ;;
 esac
 

@@ -19,6 +19,7 @@ struct Row {
 
 // The cheapest first.
 constexpr Row kOurs[] = {
+    {V4L2_PIX_FMT_GREY, PixelFormat::grey8},
     {V4L2_PIX_FMT_YUYV, PixelFormat::yuyv8},
     {V4L2_PIX_FMT_UYVY, PixelFormat::uyvy8},
     {V4L2_PIX_FMT_NV12, PixelFormat::nv12},
@@ -27,7 +28,6 @@ constexpr Row kOurs[] = {
     {V4L2_PIX_FMT_NV21M, PixelFormat::nv21, 2},
     {V4L2_PIX_FMT_RGB24, PixelFormat::rgb8},
     {V4L2_PIX_FMT_BGR24, PixelFormat::bgr8},
-    {V4L2_PIX_FMT_GREY, PixelFormat::grey8},
     {V4L2_PIX_FMT_Z16, PixelFormat::depth16},
     {V4L2_PIX_FMT_SRGGB8, PixelFormat::bayer_rggb8},
     {V4L2_PIX_FMT_SGRBG8, PixelFormat::bayer_grbg8},
@@ -51,27 +51,6 @@ constexpr std::uint32_t kDecoded[] = {
     V4L2_PIX_FMT_STV0680, V4L2_PIX_FMT_CIT_YYVYUY, V4L2_PIX_FMT_KONICA420,
     V4L2_PIX_FMT_SE401,   V4L2_PIX_FMT_CPIA1,
 };
-
-bool even_width(PixelFormat format) {
-  switch (format) {
-    case PixelFormat::rgb8:
-    case PixelFormat::bgr8:
-    case PixelFormat::grey8:
-    case PixelFormat::depth16:
-    case PixelFormat::label16:
-      return false;
-    default:
-      return true;
-  }
-}
-
-bool even_height(PixelFormat format) {
-  return even_width(format) && format != PixelFormat::yuyv8 && format != PixelFormat::uyvy8;
-}
-
-bool has_chroma_plane(PixelFormat format) {
-  return format == PixelFormat::nv12 || format == PixelFormat::nv21;
-}
 
 constexpr std::uint32_t kMaxStride_bytes = 1U << 20U;
 
@@ -190,8 +169,8 @@ std::optional<std::string> take_format(const v4l2_format& agreed, const CameraFo
       height > kMaxFrameSide_px || width * height > kMaxFramePixels)
     return "the driver makes frames of " + std::to_string(width) + " x " + std::to_string(height) +
            " px, which cannot be looked at; ask for another size";
-  stream.width_px = static_cast<int>(even_width(format.pixels) ? width & ~1U : width);
-  stream.height_px = static_cast<int>(even_height(format.pixels) ? height & ~1U : height);
+  stream.width_px = static_cast<int>(has_even_width(format.pixels) ? width & ~1U : width);
+  stream.height_px = static_cast<int>(has_even_height(format.pixels) ? height & ~1U : height);
   stream.yuv = yuv_coding(picture.colorspace, picture.ycbcr_enc, picture.quantization);
   if (format.decoded) return std::nullopt;
   const std::uint32_t second =

@@ -10,10 +10,6 @@
 
 namespace aspect {
 
-constexpr bool has_chroma_plane(PixelFormat format) {
-  return format == PixelFormat::nv12 || format == PixelFormat::nv21;
-}
-
 // Of a frame without gaps between its rows and planes.
 constexpr std::size_t frame_bytes(PixelFormat format, int width_px, int height_px) {
   const std::size_t pixels =

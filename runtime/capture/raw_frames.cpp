@@ -68,12 +68,9 @@ std::optional<Size> size_of(std::string_view text) {
 }
 
 std::optional<std::string> evenness_fault(const RawFormat& raw, std::string_view fourcc) {
-  const bool plain = raw.format == PixelFormat::rgb8 || raw.format == PixelFormat::bgr8 ||
-                     raw.format == PixelFormat::grey8;
-  const bool pairs = raw.format == PixelFormat::yuyv8 || raw.format == PixelFormat::uyvy8;
-  if (!plain && raw.width_px % 2 != 0)
+  if (has_even_width(raw.format) && raw.width_px % 2 != 0)
     return fmt::format("{} frames have an even width, not {}; mend the name", fourcc, raw.width_px);
-  if (!plain && !pairs && raw.height_px % 2 != 0)
+  if (has_even_height(raw.format) && raw.height_px % 2 != 0)
     return fmt::format("{} frames have an even height, not {}; mend the name", fourcc,
                        raw.height_px);
   return std::nullopt;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 
 namespace aspect {
 
@@ -25,11 +26,15 @@ std::optional<Error> OutputThread::start(const char* name, std::size_t stack_byt
   pthread_attr_t attributes;
   ::pthread_attr_init(&attributes);
   const int stack_failure = ::pthread_attr_setstacksize(&attributes, stack_bytes);
-  // The frame loop may have a realtime priority already; outputs must not share it.
+  // The frame loop may have a realtime priority and a processor already; outputs must share
+  // neither.
   const sched_param ordinary{};
   ::pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
   ::pthread_attr_setschedpolicy(&attributes, SCHED_OTHER);
   ::pthread_attr_setschedparam(&attributes, &ordinary);
+  cpu_set_t every;
+  std::memset(&every, 0xFF, sizeof every);
+  ::pthread_attr_setaffinity_np(&attributes, sizeof every, &every);
   // Signals are the main thread's; SIGPIPE of a write of ours stays blocked.
   sigset_t all, before;
   ::sigfillset(&all);

@@ -54,6 +54,28 @@ constexpr int bytes_per_pixel(PixelFormat format) {
   return 0;
 }
 
+constexpr bool is_bayer(PixelFormat format) {
+  return format == PixelFormat::bayer_rggb8 || format == PixelFormat::bayer_grbg8 ||
+         format == PixelFormat::bayer_gbrg8 || format == PixelFormat::bayer_bggr8;
+}
+
+constexpr bool has_chroma_plane(PixelFormat format) {
+  return format == PixelFormat::nv12 || format == PixelFormat::nv21;
+}
+
+// Y, U and V, of which two pixels or four share the latter.
+constexpr bool is_yuv(PixelFormat format) {
+  return format == PixelFormat::yuyv8 || format == PixelFormat::uyvy8 || has_chroma_plane(format);
+}
+
+// Pixels that share something come in pairs of columns, or of rows as well.
+constexpr bool has_even_width(PixelFormat format) {
+  return is_yuv(format) || is_bayer(format);
+}
+constexpr bool has_even_height(PixelFormat format) {
+  return has_chroma_plane(format) || is_bayer(format);
+}
+
 struct Frame {
   const std::uint8_t* data = nullptr;
   int width_px = 0;

@@ -32,27 +32,13 @@ void split_row(const Byte* pixel, int count, Byte* __restrict first, Byte* __res
   }
 }
 
-bool is_bayer(PixelFormat format) {
-  return format == PixelFormat::bayer_rggb8 || format == PixelFormat::bayer_grbg8 ||
-         format == PixelFormat::bayer_gbrg8 || format == PixelFormat::bayer_bggr8;
-}
-
-bool has_second_plane(PixelFormat format) {
-  return format == PixelFormat::nv12 || format == PixelFormat::nv21;
-}
-
-bool has_pairs(PixelFormat format) {
-  return format == PixelFormat::yuyv8 || format == PixelFormat::uyvy8 || has_second_plane(format);
-}
-
 }  // namespace
 
 bool is_whole(const Frame& frame) {
   if (frame.data == nullptr) return false;
-  if (has_second_plane(frame.format) && frame.chroma == nullptr) return false;
-  const bool even_width = has_pairs(frame.format) || is_bayer(frame.format);
-  const bool even_height = has_second_plane(frame.format) || is_bayer(frame.format);
-  return !(even_width && frame.width_px % 2 != 0) && !(even_height && frame.height_px % 2 != 0);
+  if (has_chroma_plane(frame.format) && frame.chroma == nullptr) return false;
+  return !(has_even_width(frame.format) && frame.width_px % 2 != 0) &&
+         !(has_even_height(frame.format) && frame.height_px % 2 != 0);
 }
 
 YuvPairs PixelRows::pairs(int y) const {
@@ -77,18 +63,18 @@ void PixelRows::colours(int y, int x, int count, ColourRow out) const {
   if (frame_.format == PixelFormat::bgr8)
     return split_row(row(y) + 3 * x, count, out.blue, out.green, out.red);
   if (is_bayer(frame_.format)) return bayer_row(frame_, y, x, count, out.red, out.green, out.blue);
-  if (has_pairs(frame_.format))
+  if (is_yuv(frame_.format))
     return yuv_row(pairs(y), factors_, x, count, out.red, out.green, out.blue);
   for (Byte* channel : {out.red, out.green, out.blue}) std::copy_n(row(y) + x, count, channel);
 }
 
 void PixelRows::greys(int y, int x, int count, Byte* out) const {
-  if (has_pairs(frame_.format)) return luma_row(pairs(y), factors_, x, count, out);
+  if (is_yuv(frame_.format)) return luma_row(pairs(y), factors_, x, count, out);
   std::copy_n(row(y) + x, count, out);
 }
 
 bool PixelRows::may_reach(Byte least, int y, int x, int count) const {
-  if (has_pairs(frame_.format)) return yuv_may_reach(pairs(y), factors_, least, x, count);
+  if (is_yuv(frame_.format)) return yuv_may_reach(pairs(y), factors_, least, x, count);
   const int channels = bytes_per_pixel(frame_.format);
   return any_at_least(row(y) + channels * x, channels * count, least);
 }

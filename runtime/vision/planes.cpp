@@ -15,15 +15,7 @@ Box clipped(const Box& box, int width, int height) {
 // Interpolation carries brightness one pixel further.
 int margin_px(PixelFormat format) {
   constexpr int kMargin_px = 2;
-  switch (format) {
-    case PixelFormat::bayer_rggb8:
-    case PixelFormat::bayer_grbg8:
-    case PixelFormat::bayer_gbrg8:
-    case PixelFormat::bayer_bggr8:
-      return kMargin_px + 1;
-    default:
-      return kMargin_px;
-  }
+  return is_bayer(format) ? kMargin_px + 1 : kMargin_px;
 }
 
 // The first pixel from x to `end` that may be bright by itself, or `end`.

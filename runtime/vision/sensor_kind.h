@@ -21,12 +21,14 @@ constexpr std::string_view name_of(SensorKind sensor) {
 // Whether frames of this format come from such a sensor.
 constexpr bool gives(SensorKind sensor, PixelFormat format) {
   switch (format) {
-    case PixelFormat::rgb8:
-    case PixelFormat::bgr8:
     case PixelFormat::yuyv8:
     case PixelFormat::uyvy8:
     case PixelFormat::nv12:
     case PixelFormat::nv21:
+      // Y by itself is grey.
+      return sensor == SensorKind::colour || sensor == SensorKind::grey;
+    case PixelFormat::rgb8:
+    case PixelFormat::bgr8:
     case PixelFormat::bayer_rggb8:
     case PixelFormat::bayer_grbg8:
     case PixelFormat::bayer_gbrg8:

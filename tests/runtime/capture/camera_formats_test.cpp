@@ -50,12 +50,15 @@ TEST_CASE("The cheapest format for the sensor is taken, however they are listed"
   CHECK(negotiate(device, settings, true).fourcc() == "UYVY");
   settings.sensor = SensorKind::grey;
   CHECK(negotiate(device, settings, true).fourcc() == "GREY");
+  std::erase_if(device.formats,
+                [](const FakeFormat& format) { return format.fourcc == V4L2_PIX_FMT_GREY; });
+  CHECK(negotiate(device, settings, true).fourcc() == "UYVY");
   settings.sensor = SensorKind::range;
   CHECK(negotiate(device, settings, true).stream.format.pixels == PixelFormat::depth16);
   settings.sensor = SensorKind::surface;
   const Agreement none = negotiate(device, settings, true);
   CHECK(none.fault.state == CameraState::failed);
-  CHECK_THAT(std::string(none.fault.text()), Contains("surface") && Contains("MJPG RGGB GREY"));
+  CHECK_THAT(std::string(none.fault.text()), Contains("surface") && Contains("MJPG RGGB RGB3"));
 }
 
 TEST_CASE("Each of our formats is what its name says") {

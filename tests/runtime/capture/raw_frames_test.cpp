@@ -95,7 +95,7 @@ TEST_CASE("The second plane lies behind the first, and YUV is BT.601 of limited 
   }
 }
 
-TEST_CASE("Frames of a grey camera are for an index of a grey sensor") {
+TEST_CASE("Frames of a grey camera, and Y of a colour one, are for an index of a grey sensor") {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.4x4.GREY", counted(16));
   RawFrames frames(file, SensorKind::grey);
@@ -104,8 +104,10 @@ TEST_CASE("Frames of a grey camera are for an index of a grey sensor") {
   CHECK(frame.format == PixelFormat::grey8);
   CHECK_THAT(error_of(file), StartsWith("not frames of a colour sensor"));
   CHECK_THAT(error_of(file, SensorKind::range), StartsWith("not frames of a range sensor"));
-  CHECK_THAT(error_of(folder.write("a.4x4.YUYV", counted(32)), SensorKind::grey),
+  CHECK_THAT(error_of(folder.write("a.4x4.RGB3", counted(48)), SensorKind::grey),
              StartsWith("not frames of a grey sensor"));
+  RawFrames packed(folder.write("a.4x4.YUYV", counted(32)), SensorKind::grey);
+  CHECK(packed.next(frame) == FrameStatus::frame);
 }
 
 TEST_CASE("Raw files whose name or size is no good are refused in one line") {

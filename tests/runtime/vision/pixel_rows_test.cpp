@@ -21,10 +21,6 @@ constexpr std::array kYuvFormats = {PixelFormat::yuyv8, PixelFormat::uyvy8, Pixe
 constexpr std::array kBayerFormats = {PixelFormat::bayer_rggb8, PixelFormat::bayer_grbg8,
                                       PixelFormat::bayer_gbrg8, PixelFormat::bayer_bggr8};
 
-bool has_chroma_plane(PixelFormat format) {
-  return format == PixelFormat::nv12 || format == PixelFormat::nv21;
-}
-
 // A frame of random bytes, with rows longer than the pixels need. Memory ends where the last row's
 // pixels do, so that a sanitizer sees what reads on.
 struct NoiseFrame {

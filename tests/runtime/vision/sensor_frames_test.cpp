@@ -70,6 +70,27 @@ TEST_CASE("a grey frame is cut like the colour frame whose three channels it is"
   }
 }
 
+TEST_CASE("Y of a colour camera's frame is cut like the grey frame that it is") {
+  std::mt19937 random(9);
+  for (int k = 0; k < 10; ++k) {
+    cv::Mat grey, chroma(50, 140, CV_8UC1);
+    cv::cvtColor(polygon_picture(random, {140, 100}, 6), grey, cv::COLOR_RGB2GRAY);
+    cv::randu(chroma, 0, 256);
+    const Frame plain = plain_frame(grey);
+    Frame frame = plain;
+    frame.format = PixelFormat::nv12;
+    frame.chroma = chroma.data;
+    frame.chroma_stride_bytes = 140;
+    frame.yuv.full_range = true;
+    const VisionParameters parameters = default_parameters(SensorKind::grey);
+    OwnedVision vision(140, 100, SensorKind::grey), expected(140, 100, SensorKind::grey);
+    REQUIRE(expected.run(plain, parameters).contours.size() > 1);
+    vision.run(frame, parameters);
+    CHECK(same_partition(label_picture(vision.regions(), grey.size()),
+                         label_picture(expected.regions(), grey.size())));
+  }
+}
+
 TEST_CASE("twice the light changes no grey feature") {
   OwnedVision dark(120, 80, SensorKind::grey), bright(120, 80, SensorKind::grey);
   const cv::Mat a = two_greys(60, 100), b = two_greys(120, 200);
