@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Frames through aspect-replay of the workstation and through the static ones for boards, in an
 # emulator where it is another processor: the same lines, byte for byte but for the times.
+# Also that aspectd weighs less than 3 MiB everywhere.
 # usage: same_results.sh BIN RESULTS x86_64|arm64|armhf...
-#   BIN      the workstation's programs, with device_raw_frames
+#   BIN      the workstation's programs, with make_raw_frames
 #   RESULTS  of native_results.sh: two indexes are taken from there
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -15,7 +16,7 @@ rm -rf "$folder"
 mkdir -p "$folder"
 
 pictures=(tests/data/rendered/frames/0{00,01,02,03,22}.png)
-"$bin/device_raw_frames" "$folder" "${pictures[@]}"
+"$bin/make_raw_frames" "$folder" "${pictures[@]}"
 { printf 'P6\n640 480\n255\n'; head -c $((640 * 480 * 3)) "$folder/frames.640x480.RGB3"; } >"$folder/first.ppm"
 
 # recognise OUTPUT PROGRAM...: without what differs from run to run
@@ -29,9 +30,13 @@ recognise() {
 
 tools/device_build.sh "$@" >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
 grep KiB "$folder.log"
+failed=0
+for processor in "$@"; do
+  bytes=$(stat -c %s "build/device-$processor/bin/stripped/aspectd")
+  [ "$bytes" -lt $((3 << 20)) ] || { echo "$processor: aspectd has 3 MiB or more" >&2; failed=1; }
+done
 recognise "$folder.native" "$bin/aspect-replay"
 grep -q '"score"' "$folder.native" || { echo "nothing was recognised" >&2; exit 1; }
-failed=0
 for processor in "$@"; do
   emulator=()
   case "$processor" in

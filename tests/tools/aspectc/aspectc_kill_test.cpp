@@ -1,5 +1,5 @@
-// aspectc killed twenty times: what it had shown to be done a moment before is still there, and the
-// index has the bytes of a run that nobody disturbed.
+// aspectc killed twenty times or more: what it had shown to be done a moment before is still there,
+// and the index has the bytes of a run that nobody disturbed.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -23,6 +23,9 @@ using nlohmann::json;
 using std::chrono::milliseconds;
 
 constexpr int kKills = 20;
+// Of these so many must come late enough to tell: on a busy machine that takes more of them.
+constexpr std::size_t kLateKills = 5;
+constexpr int kMostKills = 3 * kKills;
 constexpr unsigned kSeed = 20;
 // A second of work may be lost; the rest is for a machine that does other things besides.
 constexpr milliseconds kMayBeLost{1200};
@@ -121,7 +124,7 @@ TEST_CASE("twenty kills at random moments lose a second of work each, and not a 
   std::optional<TemporaryFolder> folder(std::in_place);
   int kills = 0;
   std::size_t kept = 0, lost = 0, long_kept = 0;
-  while (kills < kKills) {
+  while (kills < kKills || (long_kept < kLateKills && kills < kMostKills)) {
     const milliseconds moment(100 + random() % 2300);
     const Kill kill = kill_after(moment, folder->path(), calm);
     INFO("seed " << kSeed << ", kill " << kills << " after " << moment.count() << " ms: kept "
@@ -140,9 +143,9 @@ TEST_CASE("twenty kills at random moments lose a second of work each, and not a 
     folder.emplace();
     kept = 0;
   }
-  std::cout << "seed " << kSeed << ": " << kKills << " kills lost " << lost << " views of "
+  std::cout << "seed " << kSeed << ": " << kills << " kills lost " << lost << " views of "
             << calm.views << "\n";
-  CHECK(long_kept >= 5);  // else the kills came too early to tell
+  CHECK(long_kept >= kLateKills);
   REQUIRE(run_aspectc(folder->path(), kCompile).exit_code == 0);
   CHECK(read_file(folder->path() / "l.aspect") == calm.bytes);
   const json stats = json::parse(read_file(folder->path() / "s.json"));
