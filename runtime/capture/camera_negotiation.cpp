@@ -28,25 +28,27 @@ double rate_of(const v4l2_fract& interval) {
   return static_cast<double>(interval.denominator) / interval.numerator;
 }
 
-// Of a camera that does not list its sizes.
-void try_size(V4l2Calls& calls, const FoundCamera& camera, FormatOffer& offer) {
+v4l2_format format_of(const FoundCamera& camera, const FormatOffer& offer) {
   v4l2_format format{};
   format.type = camera.buffer_type;
-  v4l2_pix_format& single = format.fmt.pix;
-  v4l2_pix_format_mplane& multi = format.fmt.pix_mp;
-  const auto width = static_cast<std::uint32_t>(offer.width_px);
-  const auto height = static_cast<std::uint32_t>(offer.height_px);
-  if (camera.multiplanar()) {
-    multi.width = width;
-    multi.height = height;
-    multi.pixelformat = offer.format.fourcc;
-    multi.field = V4L2_FIELD_NONE;
-  } else {
-    single.width = width;
-    single.height = height;
-    single.pixelformat = offer.format.fourcc;
-    single.field = V4L2_FIELD_NONE;
-  }
+  const auto fill = [&](auto& picture) {
+    picture.width = static_cast<std::uint32_t>(offer.width_px);
+    picture.height = static_cast<std::uint32_t>(offer.height_px);
+    picture.pixelformat = offer.format.fourcc;
+    picture.field = V4L2_FIELD_NONE;
+  };
+  if (camera.multiplanar())
+    fill(format.fmt.pix_mp);
+  else
+    fill(format.fmt.pix);
+  return format;
+}
+
+// Of a camera that does not list its sizes.
+void try_size(V4l2Calls& calls, const FoundCamera& camera, FormatOffer& offer) {
+  v4l2_format format = format_of(camera, offer);
+  const v4l2_pix_format& single = format.fmt.pix;
+  const v4l2_pix_format_mplane& multi = format.fmt.pix_mp;
   if (calls.ioctl(camera.descriptor, VIDIOC_TRY_FMT, &format) != 0) return;
   const std::uint32_t tried_width = camera.multiplanar() ? multi.width : single.width;
   const std::uint32_t tried_height = camera.multiplanar() ? multi.height : single.height;
@@ -109,24 +111,9 @@ double find_rate(V4l2Calls& calls, const FoundCamera& camera, const FormatOffer&
 
 CameraFault set_format(V4l2Calls& calls, const FoundCamera& camera, const FormatOffer& offer,
                        v4l2_format& agreed) {
-  agreed = {};
-  agreed.type = camera.buffer_type;
-  const auto width = static_cast<std::uint32_t>(offer.width_px);
-  const auto height = static_cast<std::uint32_t>(offer.height_px);
-  if (camera.multiplanar()) {
-    v4l2_pix_format_mplane& picture = agreed.fmt.pix_mp;
-    picture.width = width;
-    picture.height = height;
-    picture.pixelformat = offer.format.fourcc;
-    picture.field = V4L2_FIELD_NONE;
-    picture.num_planes = static_cast<std::uint8_t>(offer.format.planes);
-  } else {
-    v4l2_pix_format& picture = agreed.fmt.pix;
-    picture.width = width;
-    picture.height = height;
-    picture.pixelformat = offer.format.fourcc;
-    picture.field = V4L2_FIELD_NONE;
-  }
+  agreed = format_of(camera, offer);
+  if (camera.multiplanar())
+    agreed.fmt.pix_mp.num_planes = static_cast<std::uint8_t>(offer.format.planes);
   const int error = calls.ioctl(camera.descriptor, VIDIOC_S_FMT, &agreed);
   if (error != 0) return call_fault("VIDIOC_S_FMT", error);
   // Drivers answer with what they were asked for and do another thing.

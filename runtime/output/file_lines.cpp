@@ -1,7 +1,5 @@
 #include "runtime/output/file_lines.h"
 
-#include <algorithm>
-
 namespace aspect {
 namespace {
 
@@ -37,9 +35,7 @@ bool FileLines::write_next() {
   const auto [state, line] = ring_.read(next_, line_);
   if (state == LineRing::Reading::State::not_yet) return false;
   if (state == LineRing::Reading::State::gone) {
-    const std::uint64_t restart = std::max(ring_.restart(), next_ + 1);
-    counters_.lines_lost += restart - next_;
-    next_ = restart;
+    skip_lost(ring_, next_, counters_);
     return true;
   }
   if (const auto error = file_.append(line)) {

@@ -142,9 +142,7 @@ class MqttLines final : public LineOutput {
     const auto [state, line] = ring_.read(next_, line_);
     if (state == LineRing::Reading::State::not_yet) return false;
     if (state == LineRing::Reading::State::gone) {
-      const std::uint64_t restart = std::max(ring_.restart(), next_ + 1);
-      counters_.lines_lost += restart - next_;
-      next_ = restart;
+      skip_lost(ring_, next_, counters_);
       return true;
     }
     const int bytes = static_cast<int>(line.size() - 1);  // a message needs no end

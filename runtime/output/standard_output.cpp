@@ -33,9 +33,7 @@ void StandardOutput::write_on() {
 bool StandardOutput::take_line() {
   auto reading = ring_.read(next_, line_);
   if (reading.state == LineRing::Reading::State::gone) {
-    const std::uint64_t restart = std::max(ring_.restart(), next_ + 1);
-    counters_.lines_lost += restart - next_;
-    next_ = restart;
+    skip_lost(ring_, next_, counters_);
     reading = ring_.read(next_, line_);
   }
   if (reading.state != LineRing::Reading::State::line) return false;
