@@ -5,14 +5,14 @@
 #include <csignal>
 #include <cstdio>
 
-#include "tools/aspectc/compile_command.h"
-#include "tools/aspectc/convert_command.h"
-#include "tools/aspectc/doctor_command.h"
-#include "tools/aspectc/explain_command.h"
-#include "tools/aspectc/init_command.h"
-#include "tools/aspectc/inspect_command.h"
-#include "tools/aspectc/models_info_command.h"
-#include "tools/aspectc/render_command.h"
+#include "tools/aspectc/commands/compile_command.h"
+#include "tools/aspectc/commands/convert_command.h"
+#include "tools/aspectc/commands/doctor_command.h"
+#include "tools/aspectc/commands/explain_command.h"
+#include "tools/aspectc/commands/init_command.h"
+#include "tools/aspectc/commands/inspect_command.h"
+#include "tools/aspectc/commands/models_info_command.h"
+#include "tools/aspectc/commands/render_command.h"
 
 namespace aspect {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "compiler/scene/coloured_mesh.h"
-#include "tools/aspectc/prepared_object.h"
+#include "tools/aspectc/project/prepared_object.h"
 #include "tools/doctor/finding.h"
 #include "tools/doctor/placement_checks.h"
 

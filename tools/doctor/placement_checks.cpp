@@ -8,7 +8,7 @@
 
 #include "compiler/scene/picture_fit.h"
 #include "compiler/scene/scene_extent.h"
-#include "tools/aspectc/distance_check.h"
+#include "tools/aspectc/project/distance_check.h"
 
 namespace aspect {
 namespace {

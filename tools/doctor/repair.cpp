@@ -7,8 +7,8 @@
 
 #include "compiler/scene/mesh_reader.h"
 #include "compiler/scene/scene_extent.h"
-#include "tools/aspectc/distance_check.h"
-#include "tools/aspectc/scene_settings.h"
+#include "tools/aspectc/project/distance_check.h"
+#include "tools/aspectc/project/scene_settings.h"
 #include "tools/doctor/diagnosis.h"
 
 namespace aspect {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "tools/aspectc/prepared_object.h"
+#include "tools/aspectc/project/prepared_object.h"
 #include "tools/doctor/colour_moves.h"
 #include "tools/doctor/face_set.h"
 #include "tools/doctor/topology_checks.h"

@@ -5,7 +5,7 @@
 
 #include "compiler/aspects/colour_separation.h"
 #include "compiler/aspects/observer.h"
-#include "tools/aspectc/visible_contours.h"
+#include "tools/aspectc/project/visible_contours.h"
 
 namespace aspect {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "tools/aspectc/prepared_object.h"
+#include "tools/aspectc/project/prepared_object.h"
 #include "tools/eval/random_directions.h"
 #include "tools/eval/test_bench.h"
 #include "tools/eval/view_error.h"

@@ -12,7 +12,7 @@
 #include "tests/runtime/capture/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/terminal_program.h"
-#include "tools/aspectc/stop_signals.h"
+#include "tools/aspectc/progress/stop_signals.h"
 
 namespace aspect {
 namespace {

@@ -1,5 +1,5 @@
 // Projects beyond the option table: objects, lamps, surfaces, meshes, hostile text.
-#include "tools/aspectc/project_file.h"
+#include "tools/aspectc/project/project_file.h"
 
 #include <catch2/catch.hpp>
 

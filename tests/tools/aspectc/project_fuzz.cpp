@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "tests/damaged_corpus.h"
-#include "tools/aspectc/project_file.h"
+#include "tools/aspectc/project/project_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "tools/aspectc/option_flags.h"
-#include "tools/aspectc/option_text.h"
-#include "tools/aspectc/project_file.h"
-#include "tools/aspectc/settings_check.h"
+#include "tools/aspectc/options/option_flags.h"
+#include "tools/aspectc/options/option_text.h"
+#include "tools/aspectc/options/settings_check.h"
+#include "tools/aspectc/project/project_file.h"
 
 namespace aspect {
 namespace {

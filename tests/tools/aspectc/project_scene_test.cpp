@@ -4,11 +4,11 @@
 
 #include "compiler/render/renderer.h"
 #include "compiler/scene/bob_reader.h"
-#include "tools/aspectc/distance_check.h"
-#include "tools/aspectc/init_text.h"
-#include "tools/aspectc/option_text.h"
-#include "tools/aspectc/project_file.h"
-#include "tools/aspectc/scene_settings.h"
+#include "tools/aspectc/options/option_text.h"
+#include "tools/aspectc/project/distance_check.h"
+#include "tools/aspectc/project/init_text.h"
+#include "tools/aspectc/project/project_file.h"
+#include "tools/aspectc/project/scene_settings.h"
 
 namespace aspect {
 namespace {

@@ -1,8 +1,8 @@
-#include "tools/aspectc/time_left.h"
+#include "tools/aspectc/progress/time_left.h"
 
 #include <catch2/catch.hpp>
 
-#include "tools/aspectc/progress_line.h"
+#include "tools/aspectc/progress/progress_line.h"
 
 namespace aspect {
 namespace {

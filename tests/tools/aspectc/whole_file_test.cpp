@@ -1,4 +1,4 @@
-#include "tools/aspectc/whole_file.h"
+#include "tools/aspectc/commands/whole_file.h"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,0 +1,41 @@
+#include "tools/aspectc/commands/convert_command.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "compiler/scene/bob_writer.h"
+#include "compiler/scene/scene_reader.h"
+#include "tools/aspectc/commands/command_failure.h"
+#include "tools/aspectc/commands/whole_file.h"
+
+namespace aspect {
+CLI::App* add_convert_command(CLI::App& app, ConvertCommand& command) {
+  CLI::App* convert = app.add_subcommand("convert", "Write a scene as a Bob scene.");
+  convert->add_option("scene", command.scene, "scene or mesh to read")->required();
+  convert->add_option("output", command.output, "Bob scene to write (.b)")->required();
+  return convert;
+}
+
+int run_convert(const ConvertCommand& command) {
+  if (lower_extension(command.output) != ".b") {
+    fmt::print(stderr, "aspectc: {}: only Bob scenes are written; name it .b\n", command.output);
+    return 2;
+  }
+  std::error_code unknown;
+  if (std::filesystem::equivalent(command.scene, command.output, unknown)) {
+    fmt::print(stderr, "aspectc: {} is both read and written; name another file\n", command.output);
+    return 2;
+  }
+  const Result<Scene> scene = read_scene(command.scene);
+  if (!scene) return fail(scene.error());
+  for (const std::string& warning : scene.value().warnings)
+    fmt::print(stderr, "aspectc: warning: {}\n", warning);
+  const Result<std::string> text = write_bob(scene.value());
+  if (!text) return fail(text.error());
+  const auto* first = reinterpret_cast<const std::uint8_t*>(text.value().data());
+  const Result<Done> done = write_whole_file(command.output, {first, text.value().size()});
+  return done ? 0 : fail(done.error());
+}
+
+}  // namespace aspect

@@ -1,0 +1,68 @@
+#include "tools/aspectc/commands/explain_command.h"
+
+#include <fmt/format.h>
+
+#include "tools/aspectc/commands/command_failure.h"
+#include "tools/aspectc/project/prepared_object.h"
+
+namespace aspect {
+namespace {
+
+constexpr const char* kKeys =
+    R"(Keys of --json; shares are 0 to 1, directions unit vectors from the object to the camera:
+  accuracy         rank_1, rank_5, rank_10: right aspect among so many, within_20_deg: best view;
+                   modulo symmetry; each with share, low and high (95 % interval)
+  neighbour_views  views answered with another aspect, but at most 20 degrees off
+  wrong_views      views answered with a view farther off, or not at all
+  symmetries       quaternions w x y z without the identity; symmetry_axes: round about these
+  blind_share      of the sphere, that no aspect covers
+  blind_spots      centre, share of the sphere, radius_deg, reason
+  failing_spots    centre, share of the views, radius_deg: where wrong answers come from
+  confusions       aspect, taken_for (classes of the index), views, seen_from, believed_from,
+                   faces, faces_believed (surfaces: primitives of the scene from 1; colour)
+  face_confusions  face, taken_for, views, separation (of the colours; above 1 they are separated)
+  cure             changes (face, colour, colour_name, separation), level, wrong_before,
+                   wrong_after, cured (of those wrong before), accuracy; only where there is one)";
+
+Result<Recipe> recipe_of(const ExplainCommand& command) {
+  if (command.scene.empty()) return read_recipe(command.store);
+  const Result<Scene> scene = read_prepared_scene(command.scene);
+  if (!scene) return Error{scene.error()};
+  return read_recipe(command.store, scene.value());
+}
+
+}  // namespace
+
+CLI::App* add_explain_command(CLI::App& app, ExplainCommand& command) {
+  CLI::App* explain = app.add_subcommand(
+      "explain", "Tell what accuracy to expect, what is confused, and what would cure it.");
+  explain->add_option("store", command.store, "store of a finished compilation (.store)")
+      ->required();
+  explain->add_option("--scene", command.scene, "scene, where the store's cannot be read again");
+  explain->add_option("--views", command.settings.views, "fresh random views")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  explain->add_option("--seed", command.settings.seed, "of the views")->capture_default_str();
+  explain
+      ->add_option("--cure-level", command.settings.cure_level,
+                   "level at which changed colours are tried; at most the store's")
+      ->check(CLI::Range(0, 10))
+      ->capture_default_str();
+  explain->add_option("--jobs", command.settings.jobs, "threads [one a core]")
+      ->check(CLI::Range(1, 1024));
+  explain->add_flag("--json", command.json, "everything, as one JSON object");
+  explain->footer(kKeys);
+  return explain;
+}
+
+int run_explain(const ExplainCommand& command) {
+  const Result<Recipe> recipe = recipe_of(command);
+  if (!recipe) return fail(recipe.error());
+  const Result<Explanation> explanation = explain(command.store, recipe.value(), command.settings);
+  if (!explanation) return fail(explanation.error());
+  fmt::print("{}", command.json ? explanation_json(explanation.value())
+                                : explanation_text(explanation.value()));
+  return 0;
+}
+
+}  // namespace aspect

@@ -1,0 +1,181 @@
+#include "tools/aspectc/commands/inspect_command.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <opencv2/imgcodecs.hpp>
+
+#include "runtime/recognition/class_index.h"
+#include "runtime/recognition/index_bundle.h"
+#include "runtime/service/recognition_json.h"
+#include "tools/aspectc/commands/command_failure.h"
+#include "tools/aspectc/commands/inspect_store.h"
+#include "tools/aspectc/commands/whole_file.h"
+#include "tools/draw/frame_canvas.h"
+
+namespace aspect {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string name_of(std::size_t contour) {
+  std::array<char, 4> buffer;
+  return std::string(contour_name(static_cast<std::uint16_t>(contour), buffer));
+}
+
+Json contour_json(const ClassIndex& index, const ClassContour& contour, std::size_t place) {
+  Json json{{"name", name_of(place)}};
+  json["share"] = contour.share;
+  json["centre"] = contour.centre_object;
+  const auto surfaces = ClassIndex::part(index.surfaces, contour.surfaces);
+  json["surfaces"] = std::vector<std::uint16_t>(surfaces.begin(), surfaces.end());
+  for (const TypeScore& type : ClassIndex::part(index.type_scores, contour.types))
+    json["types"].push_back({type.type, type.score});
+  return json;
+}
+
+Json golden_json(const ClassIndex& index) {
+  if (!index.golden) return nullptr;
+  const GoldenFrame& golden = *index.golden;
+  return {{"width", golden.width_px},
+          {"height", golden.height_px},
+          {"bytes", golden.palette.size() + golden.rows.size()},
+          {"class", golden.class_id},
+          {"regions", golden.regions},
+          {"matched", golden.matched},
+          {"score", golden.score}};
+}
+
+void print_golden_frame(const ClassIndex& index) {
+  if (!index.golden) return fmt::print("no golden frame\n");
+  const GoldenFrame& golden = *index.golden;
+  fmt::print("golden frame: {} x {} px in {} bytes, class {} with {} of {} contours at {:.4f}\n",
+             golden.width_px, golden.height_px, golden.palette.size() + golden.rows.size(),
+             golden.class_id, golden.matched, golden.regions, golden.score);
+}
+
+Json index_json(const ClassIndex& index) {
+  Json json{{"object", index.object},
+            {"bytes", index.file_bytes},
+            {"sensor", name_of(index.vision.sensor)},
+            {"level", index.level},
+            {"threshold", index.threshold},
+            {"cluster_threshold", index.cluster_threshold},
+            {"scoring", index.scoring},
+            {"field_of_view_deg", index.field_of_view_deg},
+            {"width", index.width_px},
+            {"height", index.height_px},
+            {"contour_types", index.types.size()},
+            {"key_views", index.key_views.size()},
+            {"symmetries", index.symmetries},
+            {"symmetry_axes", index.symmetry_axes},
+            {"extent",
+             {{"min", index.extent.least},
+              {"max", index.extent.most},
+              {"diameter", index.extent.diameter},
+              {"centre", index.extent.centre}}},
+            {"golden_frame", golden_json(index)},
+            {"classes", Json::array()}};
+  for (const AspectClass& aspect : index.classes) {
+    Json entry{{"area_fraction", aspect.area_fraction},
+               {"views", aspect.view_count},
+               {"key_views", aspect.key_views.count},
+               {"view", aspect.view},
+               {"contours", Json::array()}};
+    const auto contours = ClassIndex::part(index.class_contours, aspect.contours);
+    for (std::size_t k = 0; k < contours.size(); ++k)
+      entry["contours"].push_back(contour_json(index, contours[k], k));
+    json["classes"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+void print_symmetries(const ClassIndex& index) {
+  for (const Vector3& a : index.symmetry_axes)
+    fmt::print("round about the axis {:.4f} {:.4f} {:.4f}\n", a[0], a[1], a[2]);
+  for (const std::array<float, 4>& q : index.symmetries) {
+    const float sine = std::hypot(q[1], q[2], q[3]);
+    fmt::print("the same when turned by {:.2f} degrees about {:.4f} {:.4f} {:.4f}\n",
+               2 * std::atan2(sine, q[0]) * 180 / std::numbers::pi_v<float>, q[1] / sine,
+               q[2] / sine, q[3] / sine);
+  }
+  if (index.symmetries.empty() && index.symmetry_axes.empty()) fmt::print("no symmetry\n");
+  fmt::print("\n");
+}
+
+void print_index(const ClassIndex& index) {
+  double area = 0;
+  for (const AspectClass& aspect : index.classes) area += static_cast<double>(aspect.area_fraction);
+  fmt::print("object {}, seen in {}, {:.1f} KiB, level {}, thresholds {} and {}, scored by {}\n",
+             index.object, name_of(index.vision.sensor),
+             static_cast<double>(index.file_bytes) / 1024, index.level, index.threshold,
+             index.cluster_threshold, index.scoring);
+  fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n",
+             index.classes.size(), 100 * area, index.types.size(), index.key_views.size());
+  print_symmetries(index);
+  print_golden_frame(index);
+  fmt::print("class  area %  views  keys  from                    contours (surfaces: types)\n");
+  for (std::size_t c = 0; c < index.classes.size(); ++c) {
+    const AspectClass& aspect = index.classes[c];
+    fmt::print("{:5}  {:6.3f}  {:5}  {:4}  {:+.3f} {:+.3f} {:+.3f} ", c, 100 * aspect.area_fraction,
+               aspect.view_count, aspect.key_views.count, aspect.view[0], aspect.view[1],
+               aspect.view[2]);
+    const auto contours = ClassIndex::part(index.class_contours, aspect.contours);
+    for (std::size_t k = 0; k < contours.size(); ++k)
+      fmt::print(" {}({}:{})", name_of(k),
+                 fmt::join(ClassIndex::part(index.surfaces, contours[k].surfaces), ","),
+                 contours[k].types.count);
+    fmt::print("\n");
+  }
+}
+
+int write_golden_frame(const InspectCommand& command) {
+  const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
+  if (!indexes) return fail(indexes.error());
+  if (indexes.value().size() != 1)
+    return fail(command.index + ": holds several indexes; give one of a single object");
+  const ClassIndex& index = indexes.value().front();
+  if (!index.golden) return fail(command.index + ": has no golden frame; aspectc warned of it");
+  const SensorKind sensor = index.vision.sensor;
+  std::vector<std::uint8_t> pixels(golden_picture_bytes(*index.golden, sensor)), png;
+  if (!cv::imencode(".png", recorded_picture(decode_golden_frame(*index.golden, sensor, pixels)),
+                    png))
+    return fail(command.golden + ": the picture could not be encoded");
+  const Result<Done> done = write_whole_file(command.golden, png);
+  return done ? 0 : fail(done.error());
+}
+
+}  // namespace
+
+CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
+  CLI::App* inspect = app.add_subcommand("inspect", "Print a class index, or what a store holds.");
+  inspect->add_option("index", command.index, "class index (.aspect) or store (.store)")
+      ->required();
+  inspect->add_flag("--json", command.json, "everything, as one JSON object");
+  inspect->add_option("--golden", command.golden, "write the golden frame to this picture (.png)");
+  return inspect;
+}
+
+int run_inspect(const InspectCommand& command) {
+  if (!command.golden.empty()) return write_golden_frame(command);
+  if (is_store(command.index)) return run_inspect_store(command.index, command.json);
+  const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
+  if (!indexes) {
+    fmt::print(stderr, "aspectc: {}\n", indexes.error());
+    return 1;
+  }
+  Json list = Json::array();
+  for (const ClassIndex& index : indexes.value()) {
+    if (command.json)
+      list.push_back(index_json(index));
+    else
+      print_index(index);
+  }
+  if (command.json) fmt::print("{}\n", (list.size() == 1 ? list.front() : list).dump(2));
+  return 0;
+}
+
+}  // namespace aspect

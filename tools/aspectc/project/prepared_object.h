@@ -1,0 +1,41 @@
+// From what a command line names to what the compiler takes.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/scene/scene.h"
+#include "runtime/base/result.h"
+#include "tools/aspectc/options/compile_settings.h"
+#include "tools/aspectc/options/option_flags.h"
+
+namespace aspect {
+
+struct PreparedObject {
+  std::filesystem::path scene_file;
+  Scene scene;  // with all settings applied; its warnings are for the user
+  CompileSettings settings;
+};
+
+struct PreparedObjects {
+  std::vector<PreparedObject> objects;
+  bool is_list = false;  // of a project with [[object]]
+  bool combined = false;
+};
+
+// Of a scene, or of all that a project (.toml) names; flags win over the project. Contradicting
+// flags are a fault of usage and told apart.
+struct PreparationError {
+  std::string message;
+  bool usage = false;
+};
+std::variant<PreparedObjects, PreparationError> prepare_objects(const std::filesystem::path& file,
+                                                                std::span<const GivenFlag> flags);
+
+// A scene file, or a project with a single object, for programs that render it.
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file);
+Result<Scene> read_prepared_scene(const std::filesystem::path& file);
+
+}  // namespace aspect
