@@ -7,17 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "compiler/aspects/clusters.h"
 #include "compiler/aspects/compile_options.h"
 #include "compiler/aspects/subdivision.h"
+#include "compiler/index/index_writer.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
 
 namespace aspect {
 
-// Where the time went, in seconds; render, features and match are summed over threads.
+// Where the time went after the subdivision.
 struct CompileSeconds {
-  double total = 0, render = 0, features = 0, match = 0, cluster = 0, symmetry = 0, types = 0,
-         emit = 0;
+  double total = 0, cluster = 0, symmetry = 0, types = 0, emit = 0;
 };
 
 struct CompileStatistics {
@@ -25,20 +26,13 @@ struct CompileStatistics {
   SensorKind sensor = SensorKind::colour;
   int level = 0;
   double threshold = 0, cluster_threshold = 0;
-  std::size_t triangles = 0;     // patches of the viewing sphere at completion
-  std::size_t views = 0;         // at their corners
-  std::size_t border_views = 0;  // on edges between aspects
-  std::size_t views_rendered = 0, match_calls = 0, matches_executed = 0, matches_gave_up = 0;
-  std::size_t clusters = 0, clusters_in_index = 0, key_views = 0, contour_types = 0;
-  std::size_t symmetries = 0, symmetry_axes = 0;         // without the identity; round axes
-  std::size_t symmetry_views = 0;                        // rendered to find them
-  double area_fraction = 0, area_fraction_in_index = 0;  // in uniform patches, as in the thesis
-  double area_assigned = 0, area_assigned_in_index = 0;  // and in divided ones
-  double key_view_spacing_deg = 0;
-  std::size_t index_bytes = 0;
-  std::size_t golden_frame_bytes = 0;  // of those; 0: there is none
   int threads = 0;
-  CompileSeconds seconds;
+  SubdivisionStatistics subdivision{};
+  ClusterStatistics clusters{};
+  std::size_t symmetries = 0, symmetry_axes = 0;  // without the identity; round axes
+  std::size_t symmetry_views = 0;                 // rendered to find them
+  IndexStatistics index{};
+  CompileSeconds seconds{};
 };
 
 struct CompiledIndex {

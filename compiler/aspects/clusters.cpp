@@ -137,6 +137,15 @@ class Clustering {
 
 }  // namespace
 
+ClusterStatistics statistics_of(const std::vector<Cluster>& clusters) {
+  ClusterStatistics sum{clusters.size()};
+  for (const Cluster& cluster : clusters) {
+    sum.area_fraction += cluster.area_fraction;
+    sum.area_assigned += cluster.area_assigned;
+  }
+  return sum;
+}
+
 std::vector<Cluster> find_clusters(const Subdivision& subdivision, const CompileOptions& options) {
   return Clustering(subdivision, options).run();
 }

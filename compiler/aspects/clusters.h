@@ -24,6 +24,13 @@ struct Cluster {
   std::size_t contour_count = 0;
 };
 
+struct ClusterStatistics {
+  std::size_t clusters = 0;
+  double area_fraction = 0, area_assigned = 0;  // sums of theirs
+};
+
+ClusterStatistics statistics_of(const std::vector<Cluster>& clusters);
+
 // Algorithm 3.1, with the cluster threshold for "uniform" and "match"; neighbouring patches match
 // if they share a view, and otherwise, across mixed levels, if their nearest corners do. Clusters
 // below small_cluster_fraction are left out. Largest first. Deterministic.

@@ -89,7 +89,7 @@ Result<Done> Observations::observe(const std::vector<Wanted>& wanted) {
 }
 
 Result<Done> Observations::keep_view(VertexId id) {
-  progress.views_total = ++found_.views_rendered;
+  progress.views_total = ++found_.statistics.views_rendered;
   if (workshop_.store == nullptr) return Done{};
   const ObservedView& view = found_.views[number(id)];
   return workshop_.store->add_view(view.direction, encode_view(view));
@@ -101,7 +101,7 @@ std::vector<ViewPair> Observations::missing(const std::vector<ViewPair>& pairs) 
     const auto [low, high] = std::minmax(pair.first, pair.second);
     const ObservedView &a = found_.views[number(low)], &b = found_.views[number(high)];
     if (a.external_count == 0 || a.external_count != b.external_count) continue;
-    ++found_.match_calls;
+    ++found_.statistics.match_calls;
     if (asked_.insert(pair_key(low, high)).second && !recall(low, high))
       left.emplace_back(low, high);
   }
@@ -154,14 +154,14 @@ Result<Done> Observations::match(const std::vector<ViewPair>& wanted) {
         progress.matches_done = end;
         show();
       });
-  for (const std::chrono::nanoseconds time : times) found_.match_time += time;
+  for (const std::chrono::nanoseconds time : times) found_.statistics.match_time += time;
   return done.ok() && stopped() ? flush_and_stop() : done;
 }
 
 Result<Done> Observations::keep_match(const ViewPair& pair, GraphMatch match) {
   const auto [a, b] = pair;
-  ++found_.matches_executed;
-  if (match.gave_up) ++found_.matches_gave_up;
+  ++found_.statistics.matches_executed;
+  if (match.gave_up) ++found_.statistics.matches_gave_up;
   if (workshop_.store != nullptr) {
     Result<Done> done = workshop_.store->add_match(found_.direction(a), found_.direction(b),
                                                    match.cost, encode_mapping(match));
@@ -171,10 +171,14 @@ Result<Done> Observations::keep_match(const ViewPair& pair, GraphMatch match) {
   return Done{};
 }
 
-void Observations::add_times() {
+void Observations::complete_statistics() {
+  SubdivisionStatistics& s = found_.statistics;
+  s.patches = found_.sphere.leaves().size();
+  s.views = found_.sphere.vertex_count();
+  s.border_views = found_.views.size() - s.views;
   for (const Observer& observer : observers_) {
-    found_.render_time += observer.render_time();
-    found_.feature_time += observer.feature_time();
+    s.render_time += observer.render_time();
+    s.feature_time += observer.feature_time();
   }
 }
 

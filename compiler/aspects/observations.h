@@ -38,7 +38,7 @@ class Observations {
   // pair is always matched from the lower view to the higher.
   Result<Done> match(const std::vector<ViewPair>& pairs);
 
-  void add_times();  // to what was found, once all is done
+  void complete_statistics();  // of what was found, once all is done
 
   Progress progress;
 

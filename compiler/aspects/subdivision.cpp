@@ -101,7 +101,7 @@ Result<Subdivision> subdivide(const Workshop& workshop) {
     return Error{done.error()};
   if (Result<Done> done = find_borders(workshop.options, found, observations); !done)
     return Error{done.error()};
-  observations.add_times();
+  observations.complete_statistics();
   return found;
 }
 

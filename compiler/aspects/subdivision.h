@@ -56,6 +56,17 @@ struct EdgeView {
   VertexId view{};
 };
 
+struct SubdivisionStatistics {
+  std::size_t patches = 0;           // at completion
+  std::size_t views = 0;             // at their corners
+  std::size_t border_views = 0;      // on edges between aspects
+  std::size_t views_rendered = 0;    // in this run; the others came from the store
+  std::size_t match_calls = 0;       // pairs of equal node counts that were asked for
+  std::size_t matches_executed = 0;  // of those, computed in this run
+  std::size_t matches_gave_up = 0;
+  std::chrono::nanoseconds render_time{}, feature_time{}, match_time{};  // summed over threads
+};
+
 struct Subdivision {
   ViewSphere sphere;
   // By vertex; those on edges follow, numbered as if they were vertices too.
@@ -63,11 +74,7 @@ struct Subdivision {
   MatchTable matches;
   // By pair_key of the edge's corners, in order of their places: see borders.h.
   std::unordered_map<std::uint64_t, std::vector<EdgeView>> edge_views;
-  std::size_t match_calls = 0;       // pairs of equal node counts that were asked for
-  std::size_t matches_executed = 0;  // of those, computed in this run
-  std::size_t matches_gave_up = 0;
-  std::size_t views_rendered = 0;  // in this run; the others came from the store
-  std::chrono::nanoseconds render_time{}, feature_time{}, match_time{};  // summed over threads
+  SubdivisionStatistics statistics;
 
   const Eigen::Vector3d& direction(VertexId view) const {
     return views[static_cast<std::size_t>(view)].direction;

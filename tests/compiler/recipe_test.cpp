@@ -78,7 +78,7 @@ TEST_CASE("a store makes its model again when the scene's file is gone") {
   const auto first = compile(scene, odd_options(), {}, {}, nullptr).value();
   const auto again = compile(recipe.scene, recipe.options, store, {}, nullptr).value();
   CHECK(again.bytes == first.bytes);
-  CHECK(again.statistics.views_rendered == 0);
+  CHECK(again.statistics.subdivision.views_rendered == 0);
 }
 
 TEST_CASE("a store that is missing, foreign, unfinished or of another scene is refused") {

@@ -116,7 +116,7 @@ TEST_CASE("without views to spend on borders nothing is divided") {
   const Result<CompiledIndex> index =
       compile(model_scene("cube"), options, std::nullopt, {}, nullptr);
   REQUIRE(index.ok());
-  CHECK(index.value().statistics.border_views == 0);
+  CHECK(index.value().statistics.subdivision.border_views == 0);
 }
 
 }  // namespace aspect

@@ -117,7 +117,7 @@ TEST_CASE("patches are split where their views differ and nowhere else") {
 TEST_CASE("every corner of every leaf was seen, from where it is") {
   for (const auto& [name, level] : kModels) {
     const Subdivision& s = compiled_model(name, level).subdivision;
-    CHECK(s.views_rendered == s.views.size());
+    CHECK(s.statistics.views_rendered == s.views.size());
     for (const PatchId leaf : s.sphere.leaves()) {
       for (const VertexId corner : s.sphere.patch(leaf).corners) {
         const ObservedView& view = s.views[place_of(corner)];
@@ -133,8 +133,8 @@ TEST_CASE("every corner of every leaf was seen, from where it is") {
 TEST_CASE("a pair of views is matched once, and only where the numbers of contours are equal") {
   for (const auto& [name, level] : kModels) {
     const Subdivision& s = compiled_model(name, level).subdivision;
-    CHECK(s.matches_executed == s.matches.size());
-    CHECK(s.match_calls >= s.matches_executed);
+    CHECK(s.statistics.matches_executed == s.matches.size());
+    CHECK(s.statistics.match_calls >= s.statistics.matches_executed);
     for (const PatchId leaf : s.sphere.leaves()) {
       const auto& c = s.sphere.patch(leaf).corners;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -88,12 +88,12 @@ TEST_CASE("with a store the bytes are the same, and a second run renders nothing
   const CompiledIndex first = job.run(), second = job.run();
   CHECK(first.bytes == without.bytes);
   CHECK(second.bytes == without.bytes);
-  CHECK(first.statistics.views_rendered ==
-        without.statistics.views + without.statistics.border_views);
-  CHECK(second.statistics.views == first.statistics.views);
-  CHECK(second.statistics.views_rendered == 0);
-  CHECK(second.statistics.matches_executed == 0);
-  CHECK(second.statistics.match_calls == first.statistics.match_calls);
+  CHECK(first.statistics.subdivision.views_rendered ==
+        without.statistics.subdivision.views + without.statistics.subdivision.border_views);
+  CHECK(second.statistics.subdivision.views == first.statistics.subdivision.views);
+  CHECK(second.statistics.subdivision.views_rendered == 0);
+  CHECK(second.statistics.subdivision.matches_executed == 0);
+  CHECK(second.statistics.subdivision.match_calls == first.statistics.subdivision.match_calls);
 }
 
 TEST_CASE("a run that was stopped goes on where it was, to the same bytes") {
@@ -109,8 +109,8 @@ TEST_CASE("a run that was stopped goes on where it was, to the same bytes") {
     CHECK(stopped.error().find('\n') == std::string::npos);
     const CompiledIndex resumed = job.run();
     CHECK(resumed.bytes == whole.bytes);
-    CHECK(resumed.statistics.views_rendered + views <=
-          whole.statistics.views + whole.statistics.border_views);
+    CHECK(resumed.statistics.subdivision.views_rendered + views <=
+          whole.statistics.subdivision.views + whole.statistics.subdivision.border_views);
   }
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("a run that is stopped again and again comes to its end, and renders n
   Result<CompiledIndex> outcome = job.run_until(100);
   for (; !outcome.ok() && runs < 100; ++runs) outcome = job.run_until(100);
   REQUIRE(outcome.ok());
-  CHECK(runs >= whole.statistics.views / 200);
+  CHECK(runs >= whole.statistics.subdivision.views / 200);
   CHECK(outcome.value().bytes == whole.bytes);
 }
 
@@ -136,10 +136,11 @@ TEST_CASE("a deeper level takes the views of the one before from the store") {
   const CompiledIndex shallow = job.run();
   job.options.level = 4;
   const CompiledIndex deepened = job.run();
-  CHECK(shallow.statistics.views == 642);
+  CHECK(shallow.statistics.subdivision.views == 642);
   // Views on the edges of level 3 are of use again where level 4 has vertices there.
-  CHECK(deepened.statistics.views_rendered < deep.statistics.views_rendered - 642);
-  CHECK(deepened.statistics.views == deep.statistics.views);
+  CHECK(deepened.statistics.subdivision.views_rendered <
+        deep.statistics.subdivision.views_rendered - 642);
+  CHECK(deepened.statistics.subdivision.views == deep.statistics.subdivision.views);
   CHECK(deepened.bytes == deep.bytes);
 }
 
@@ -158,7 +159,8 @@ TEST_CASE("a store filled with another threshold gives the bytes of no store") {
     const CompiledIndex with = job.run();
     job.store.reset();
     const CompiledIndex without = job.run();
-    CHECK(with.statistics.views_rendered < without.statistics.views_rendered);
+    CHECK(with.statistics.subdivision.views_rendered <
+          without.statistics.subdivision.views_rendered);
     CHECK(with.bytes == without.bytes);
   }
 }
@@ -209,9 +211,9 @@ TEST_CASE("damaged views and mappings in a store are made anew") {
     if (damaged % 3 == 0) REQUIRE(store.add_view(at(2), junk).ok());
   }
   const Subdivision mended = bench.subdivided(&store);
-  CHECK(mended.views_rendered > 0);
-  CHECK(mended.views_rendered <= 30);
-  CHECK(mended.matches_executed > 0);
+  CHECK(mended.statistics.views_rendered > 0);
+  CHECK(mended.statistics.views_rendered <= 30);
+  CHECK(mended.statistics.matches_executed > 0);
   check_same_matches(mended, plain);
 }
 
@@ -233,8 +235,8 @@ TEST_CASE("a match that a store knows from the other end is turned round") {
   // Most mappings only exchange pairs of contours and are the same from both ends.
   CHECK(telling > 10);
   const Subdivision turned = bench.subdivided(&store);
-  CHECK(turned.views_rendered == 0);
-  CHECK(turned.matches_executed == 0);
+  CHECK(turned.statistics.views_rendered == 0);
+  CHECK(turned.statistics.matches_executed == 0);
   check_same_matches(turned, plain);
 }
 

@@ -128,8 +128,8 @@ TEST_CASE("what was written is read again, class by class") {
     const Result<ClassIndex> index = parsed(written);
     REQUIRE(index.ok());
     CHECK(index.value().classes.size() == described.clusters.size());
-    CHECK(written.class_count == described.clusters.size());
-    CHECK(written.key_view_count == index.value().key_views.size());
+    CHECK(written.statistics.classes == described.clusters.size());
+    CHECK(written.statistics.key_views == index.value().key_views.size());
     CHECK(index.value().types == described.types);
     for (std::size_t c = 0; c < index.value().classes.size(); ++c)
       check_class(described, c, index.value());
@@ -227,29 +227,30 @@ TEST_CASE("the same contents give the same bytes") {
 TEST_CASE("an index keeps within its budget, by fewer key views first, then fewer classes") {
   DescribedModel described = described_model("l_shape", 3);
   WrittenIndex larger = write_index(described.contents());
-  CHECK(larger.class_count == described.clusters.size());
+  CHECK(larger.statistics.classes == described.clusters.size());
   for (const std::size_t kib : {48U, 32U, 16U, 8U, 4U}) {
     described.options.max_index_bytes = kib * 1024;
     const WrittenIndex written = write_index(described.contents());
-    INFO(kib << " KiB: " << written.class_count << " classes, " << written.key_view_count
-             << " key views");
+    INFO(kib << " KiB: " << written.statistics.classes << " classes, "
+             << written.statistics.key_views << " key views");
     CHECK(written.bytes.size() <= kib * 1024);
     // A budget is there to be used.
     CHECK(written.bytes.size() >= kib * 1024 * 6 / 10);
-    CHECK(written.class_count <= larger.class_count);
-    CHECK(written.key_view_count <= larger.key_view_count);
-    CHECK(written.class_count > 0);
-    CHECK(written.key_view_count >= written.class_count);
-    if (written.class_count < described.clusters.size()) CHECK(written.key_view_spacing_deg >= 60);
+    CHECK(written.statistics.classes <= larger.statistics.classes);
+    CHECK(written.statistics.key_views <= larger.statistics.key_views);
+    CHECK(written.statistics.classes > 0);
+    CHECK(written.statistics.key_views >= written.statistics.classes);
+    if (written.statistics.classes < described.clusters.size())
+      CHECK(written.statistics.key_view_spacing_deg >= 60);
     const Result<ClassIndex> index = parsed(written);
     REQUIRE(index.ok());
-    REQUIRE(index.value().classes.size() == written.class_count);
+    REQUIRE(index.value().classes.size() == written.statistics.classes);
     double area = 0;
-    for (std::size_t c = 0; c < written.class_count; ++c) {
+    for (std::size_t c = 0; c < written.statistics.classes; ++c) {
       check_class(described, c, index.value());
       area += described.clusters[c].area_fraction;
     }
-    CHECK(written.area_fraction == Approx(area));
+    CHECK(written.statistics.area_fraction == Approx(area));
     larger = written;
   }
 }
@@ -270,10 +271,10 @@ TEST_CASE("a golden frame keeps within the budget and within the bytes that it w
     CHECK(written.bytes.size() <= kib * 1024);
     const ClassIndex index = parsed(written).value();
     REQUIRE(index.golden);
-    CHECK(written.golden_frame_bytes > 0);
-    CHECK(written.golden_frame_bytes <= golden_bytes(*index.golden));
+    CHECK(written.statistics.golden_frame_bytes > 0);
+    CHECK(written.statistics.golden_frame_bytes <= golden_bytes(*index.golden));
     CHECK(golden_bytes(*index.golden) <= kib * 1024 / 8);
-    CHECK(index.golden->class_id < written.class_count);
+    CHECK(index.golden->class_id < written.statistics.classes);
   }
   CHECK_FALSE(parsed(write_index(described.contents())).value().golden);
 }

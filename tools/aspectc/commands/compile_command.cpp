@@ -50,7 +50,7 @@ Result<CompiledIndex> compile_object(const PreparedObject& object, const ObjectF
       stop_on_signals("aspectc: " + interruption(files.store.has_value()).message);
   Result<CompiledIndex> compiled = compile(
       object.scene, options, files.store, [&](const Progress& p) { line.show(p); }, &stop);
-  if (compiled.ok() && compiled.value().statistics.clusters_in_index == 0)
+  if (compiled.ok() && compiled.value().statistics.index.classes == 0)
     return Error{
         fmt::format("{}: not one class fits into {} KiB; raise --max-index-kib or lower "
                     "--types",
@@ -66,15 +66,15 @@ std::string no_golden_frame_reason(const CompileStatistics& s) {
 
 void print_summary(const fs::path& file, const CompileStatistics& s) {
   fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n",
-             file.native(), s.clusters_in_index, 100 * s.area_assigned_in_index, s.views,
-             static_cast<double>(s.index_bytes) / 1024, s.seconds.total);
-  if (s.clusters_in_index < s.clusters)
+             file.native(), s.index.classes, 100 * s.index.area_assigned, s.subdivision.views,
+             static_cast<double>(s.index.bytes) / 1024, s.seconds.total);
+  if (s.index.classes < s.clusters.clusters)
     fmt::print(
         "{}: {} of {} classes, {:.1f} % of the sphere, did not fit in; --max-index-kib N "
         "keeps more\n",
-        file.native(), s.clusters - s.clusters_in_index, s.clusters,
-        100 * (s.area_assigned - s.area_assigned_in_index));
-  if (s.golden_frame_bytes == 0)
+        file.native(), s.clusters.clusters - s.index.classes, s.clusters.clusters,
+        100 * (s.clusters.area_assigned - s.index.area_assigned));
+  if (s.index.golden_frame_bytes == 0)
     fmt::print(stderr,
                "aspectc: warning: {}: {}; aspectd will test no more than its checksum when it "
                "starts\n",

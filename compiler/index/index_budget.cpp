@@ -1,0 +1,43 @@
+#include "compiler/index/index_budget.h"
+
+#include <algorithm>
+
+#include "compiler/index/sphere_map.h"
+
+namespace aspect {
+namespace {
+
+// Closer key views than this do not make the answer better: measured in tools/bench/RESULTS.md.
+constexpr double kFinestSpacing_deg = 5, kCoarsestSpacing_deg = 60, kSpacingStep = 1.15;
+constexpr std::size_t kMostMapBytes = 16 * 1024;
+
+std::vector<std::uint8_t> map_of(const IndexContents& contents, std::size_t class_count) {
+  return encode_sphere_map_within(contents.subdivision.sphere, contents.sphere_classes, class_count,
+                                  std::min(kMostMapBytes, contents.options.max_index_bytes / 4));
+}
+
+}  // namespace
+
+IndexSelection select_within(const IndexContents& contents, std::size_t budget,
+                             const std::function<std::size_t(const IndexSelection&)>& bytes_of) {
+  const std::size_t all = contents.clusters.size();
+  IndexSelection selection{all, kFinestSpacing_deg, map_of(contents, all)};
+  while (bytes_of(selection) > budget) {
+    if (selection.key_view_spacing_deg >= kCoarsestSpacing_deg) {
+      const auto first = [&](std::size_t class_count) {
+        return IndexSelection{class_count, selection.key_view_spacing_deg,
+                              map_of(contents, class_count)};
+      };
+      std::size_t fits = 0, too_many = all;
+      while (too_many - fits > 1) {
+        const std::size_t middle = (fits + too_many) / 2;
+        (bytes_of(first(middle)) <= budget ? fits : too_many) = middle;
+      }
+      return first(fits);
+    }
+    selection.key_view_spacing_deg *= kSpacingStep;
+  }
+  return selection;
+}
+
+}  // namespace aspect

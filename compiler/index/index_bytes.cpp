@@ -1,0 +1,113 @@
+#include "compiler/index/index_bytes.h"
+
+#include "compiler/index/packing.h"
+#include "compiler/scene/scene_extent.h"
+#include "runtime/recognition/class_index.h"
+
+namespace aspect {
+namespace {
+
+namespace fb = ::aspect::schema;
+
+// Colour indexes are as they were before there were other sensors.
+flatbuffers::Offset<fb::Segmentation> write_segmentation(flatbuffers::FlatBufferBuilder& builder,
+                                                         const VisionParameters& v) {
+  fb::SegmentationBuilder table(builder);
+  if (v.sensor == SensorKind::range) {
+    table.add_range_normal_step_deg(v.range.normal_step_deg);
+    table.add_range_depth_step(v.range.depth_step);
+    table.add_range_step_length(v.range.step_length);
+    table.add_range_steps_max(static_cast<std::uint16_t>(v.range.steps_max));
+    table.add_range_steps_min(static_cast<std::uint16_t>(v.range.steps_min));
+  }
+  table.add_thickness_min_px(v.thickness_min_px);
+  table.add_area_min_px(static_cast<std::uint32_t>(v.area_min_px));
+  table.add_intensity_step(static_cast<std::uint16_t>(v.intensity_step));
+  table.add_intensity_min(static_cast<std::uint16_t>(v.intensity_min));
+  if (v.sensor != SensorKind::colour) table.add_sensor(static_cast<fb::Sensor>(v.sensor));
+  table.add_smooth(v.smooth);
+  table.add_noise_steps(static_cast<std::uint8_t>(v.noise_steps));
+  table.add_chroma_step(static_cast<std::uint8_t>(v.chroma_step));
+  return table.Finish();
+}
+
+std::vector<fb::Rotation> packed_rotations(const Symmetries& symmetries) {
+  std::vector<fb::Rotation> packed;
+  for (const Eigen::Quaterniond& q : symmetries.rotations) {
+    const Eigen::Quaternionf f = q.cast<float>();
+    packed.emplace_back(f.w(), f.x(), f.y(), f.z());
+  }
+  return packed;
+}
+
+std::vector<fb::Axis> packed_axes(const Symmetries& symmetries) {
+  std::vector<fb::Axis> packed;
+  for (const Eigen::Vector3d& axis : symmetries.axes) {
+    const Eigen::Vector3f f = axis.cast<float>();
+    packed.emplace_back(f.x(), f.y(), f.z());
+  }
+  return packed;
+}
+
+fb::Extent packed_extent(const Scene& scene) {
+  const SceneExtent extent = scene_extent(scene);
+  const Eigen::Vector3d &least = extent.least, &most = extent.most, &centre = scene.studio.at;
+  return {least.x(), least.y(),       least.z(),  most.x(),   most.y(),
+          most.z(),  extent.diameter, centre.x(), centre.y(), centre.z()};
+}
+
+flatbuffers::Offset<fb::GoldenFrame> write_golden_frame(flatbuffers::FlatBufferBuilder& builder,
+                                                        const std::optional<GoldenFrame>& golden) {
+  if (!golden) return {};
+  const auto palette = builder.CreateVector(golden->palette);
+  const auto rows = builder.CreateVector(golden->rows);
+  return fb::CreateGoldenFrame(
+      builder, static_cast<std::uint16_t>(golden->width_px),
+      static_cast<std::uint16_t>(golden->height_px), palette, rows, golden->class_id,
+      packed<std::uint16_t>(static_cast<double>(golden->score), 65535),
+      static_cast<std::uint8_t>(golden->regions), static_cast<std::uint8_t>(golden->matched));
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const IndexArrays& arrays,
+                                      const std::vector<std::uint8_t>& map,
+                                      const std::optional<GoldenFrame>& golden) {
+  const CompileOptions& options = contents.options;
+  const VisionParameters& v = options.vision;
+  flatbuffers::FlatBufferBuilder builder(64 * 1024);
+  builder.ForceDefaults(true);
+  const auto provenance = fb::CreateProvenance(
+      builder, builder.CreateString("aspectc"), contents.scene_hash,
+      static_cast<std::uint8_t>(options.level), static_cast<std::uint8_t>(options.min_level),
+      options.threshold, options.cluster_threshold);
+  const auto segmentation = write_segmentation(builder, v);
+  std::vector<float> types;
+  for (const TypeAttributes& type : contents.types)
+    types.insert(types.end(), type.begin(), type.end());
+  const Studio& studio = contents.scene.studio;
+  const fb::Extent extent = packed_extent(contents.scene);
+  const auto root = fb::CreateClassIndex(
+      builder, index_format_version(v.sensor), 0, builder.CreateString(contents.scene.name),
+      provenance, segmentation, static_cast<fb::Scoring>(options.scoring),
+      static_cast<float>(studio.angle_deg), static_cast<std::uint16_t>(studio.width_px),
+      static_cast<std::uint16_t>(studio.height_px), static_cast<std::uint16_t>(kTypeDimensions),
+      builder.CreateVector(types), builder.CreateVectorOfStructs(arrays.classes),
+      builder.CreateVectorOfStructs(arrays.contours), builder.CreateVectorOfStructs(arrays.scores),
+      builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
+      builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map),
+      builder.CreateVectorOfStructs(packed_rotations(contents.symmetries)),
+      builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent,
+      write_golden_frame(builder, golden));
+  fb::FinishClassIndexBuffer(builder, root);
+  std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
+                                  builder.GetBufferPointer() + builder.GetSize());
+  auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
+  const auto offset =
+      static_cast<std::size_t>(table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM) - bytes.data());
+  const std::uint64_t checksum = index_checksum(std::as_bytes(std::span(bytes)), offset);
+  table->SetField(fb::ClassIndex::VT_CHECKSUM, checksum, std::uint64_t{0});
+  return bytes;
+}
+
+}  // namespace aspect
