@@ -11,9 +11,11 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/scene/bob_sources.h"
 #include "compiler/scene/mesh_text.h"
 #include "compiler/scene/named_file.h"
 #include "compiler/scene/scene_reader.h"
+#include "compiler/scene/tds_materials.h"
 #include "compiler/scene/textured_faces.h"
 
 namespace aspect {
@@ -38,6 +40,9 @@ Vector3d colour_of(const aiColor4D& colour) {
   return {channel(colour.r), channel(colour.g), channel(colour.b)};
 }
 
+constexpr std::size_t kMax3dsBytes = std::size_t{1} << 30;
+constexpr const char* kNo3dsMaterial = "%%%DEFAULT";
+
 struct Material {
   std::string name, texture;
   Vector3d colour = kUncoloured;
@@ -51,6 +56,7 @@ Material material_of(const aiMaterial& source) {
   if (source.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS) material.name = text.C_Str();
   aiColor4D colour;
   material.coloured = material.name != AI_DEFAULT_MATERIAL_NAME &&
+                      material.name != kNo3dsMaterial &&
                       source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
   if (material.coloured) material.colour = colour_of(colour);
   if (source.GetTexture(aiTextureType_DIFFUSE, 0, &text) == aiReturn_SUCCESS)
@@ -72,6 +78,7 @@ class AssimpReader {
 
   ColouredMesh read() {
     Assimp::Importer importer;
+    find_undefined_materials();
     scene_ = importer.ReadFile(file_.string(), 0);
     if (scene_ == nullptr || scene_->mRootNode == nullptr)
       throw MeshError(
@@ -85,6 +92,18 @@ class AssimpReader {
   }
 
  private:
+  // Assimp gives what has them a material of its own.
+  void find_undefined_materials() {
+    if (!is_3ds_) return;
+    const Result<std::string> bytes = load_text(file_, kMax3dsBytes);
+    if (!bytes) throw MeshError(bytes.error());
+    for (const std::string& name : undefined_tds_materials(bytes.value())) {
+      undefined_.push_back(mesh_.missing.size());
+      mesh_.missing.push_back(
+          {{}, 0, fmt::format("material '{}' is not defined", shown(name)), "export it with it"});
+    }
+  }
+
   void add_nodes() {
     // Assimp turns 3DS files, in which z points upwards, so that y does.
     Eigen::Affine3d file_from_root = Eigen::Affine3d::Identity();
@@ -117,8 +136,12 @@ class AssimpReader {
     const bool has_uv = source.HasTextureCoords(material.uv_channel);
     TexturedFaces::Picture* picture = picture_of(material, has_uv, part);
     if (picture == nullptr && !material.texture.empty()) material.colour = stand_in_;
-    coloured_ =
-        coloured_ || material.coloured || !material.texture.empty() || source.HasVertexColors(0);
+    if (!undefined_.empty() && material.name == kNo3dsMaterial) {
+      material.colour = stand_in_;
+      for (const std::size_t missing : undefined_) mesh_.missing[missing].parts.push_back(part);
+    }
+    coloured_ = coloured_ || !undefined_.empty() || material.coloured ||
+                !material.texture.empty() || source.HasVertexColors(0);
     for (unsigned k = 0; k < source.mNumFaces; ++k) {
       const aiFace& face = source.mFaces[k];
       if (face.mNumIndices < 3) continue;
@@ -199,6 +222,7 @@ class AssimpReader {
   bool is_3ds_ = false, is_gltf_ = false, coloured_ = false;
   const aiScene* scene_ = nullptr;
   std::vector<Material> materials_;
+  std::vector<std::size_t> undefined_;  // materials; places in mesh_.missing
   TexturedFaces textured_;
   ColouredMesh mesh_;
 };

@@ -8,6 +8,8 @@
 #include "compiler/scene/assimp_mesh.h"
 #include "compiler/scene/bob_sources.h"
 #include "compiler/scene/dxf_mesh.h"
+#include "compiler/scene/gltf_file.h"
+#include "compiler/scene/gltf_mesh.h"
 #include "compiler/scene/isolated_reader.h"
 #include "compiler/scene/mesh_text.h"
 #include "compiler/scene/obj_mesh.h"
@@ -21,12 +23,18 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
 
+bool is_gltf(std::string_view extension) {
+  return extension == ".gltf" || extension == ".glb";
+}
+
 // Nothing where the format is left to Assimp.
 std::optional<ColouredMesh> parsed(std::string_view bytes, const std::filesystem::path& file,
                                    const Eigen::Vector3d& stand_in) {
   const std::string extension = lower_extension(file);
   if (extension == ".obj") return parse_obj(bytes, file, stand_in);
-  if (extension == ".off") return parse_off(bytes);
+  if (is_gltf(extension) && !gltf_version(bytes).starts_with("1."))
+    return parse_gltf(bytes, file, stand_in);
+  if (extension == ".off") return parse_off(bytes, stand_in);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);
   if (extension == ".ply" && !is_textured_ply(bytes)) return parse_ply(bytes);
@@ -76,13 +84,17 @@ std::string load(const std::filesystem::path& file) {
 }
 
 // Pictures are decoded by libraries that a hostile one may break.
-bool shows_pictures(const std::filesystem::path& file) {
-  return lower_extension(file) == ".obj";
+bool shows_pictures(const std::string& extension) {
+  return extension == ".obj" || is_gltf(extension);
 }
 
 ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vector3d& stand_in) {
   const std::string bytes = load(file);
-  if (shows_pictures(file)) return read_isolated([&] { return *parsed(bytes, file, stand_in); });
+  const auto read = [&] {
+    std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in);
+    return mesh ? std::move(*mesh) : read_with_assimp(file, stand_in);
+  };
+  if (shows_pictures(lower_extension(file))) return read_isolated(read);
   if (std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in)) return std::move(*mesh);
   return read_isolated([&] { return read_with_assimp(file, stand_in); });
 }

@@ -93,11 +93,14 @@ std::array<TexturedTriangle, 4> cut(const TexturedTriangle& whole) {
 }  // namespace
 
 Vector3d MeshTexture::at(const Vector2d& uv) const {
-  const auto texel = [](double coordinate, int size) {
-    const double within = coordinate - std::floor(coordinate);
+  const auto texel = [](double coordinate, Wrap wrap, int size) {
+    double within = coordinate - std::floor(coordinate);
+    if (wrap == Wrap::clamp) within = std::clamp(coordinate, 0.0, 1.0);
+    if (wrap == Wrap::mirror && std::fmod(std::floor(coordinate), 2) != 0) within = 1 - within;
     return std::min(static_cast<int>(within * size), size - 1);
   };
-  const int x = texel(uv.x(), width_px), y = height_px - 1 - texel(uv.y(), height_px);
+  const int x = texel(uv.x(), wrap_u, width_px),
+            y = height_px - 1 - texel(uv.y(), wrap_v, height_px);
   const std::uint8_t* pixel =
       rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
                         static_cast<std::size_t>(x));
@@ -116,7 +119,11 @@ MeshTexture decode_texture(std::span<const std::uint8_t> file) {
   if (bgr.empty()) throw MeshError("is no picture that is read; write PNG or JPEG");
   cv::Mat rgb;
   cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
-  return {rgb.cols, rgb.rows, std::vector<std::uint8_t>(rgb.datastart, rgb.dataend)};
+  MeshTexture texture;
+  texture.width_px = rgb.cols;
+  texture.height_px = rgb.rows;
+  texture.rgb.assign(rgb.datastart, rgb.dataend);
+  return texture;
 }
 
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,

@@ -10,8 +10,7 @@ std::string line_of(const MissingColour& missing) {
 }
 
 std::string refusal_of(const MissingColour& missing) {
-  return fmt::format("{}; {}, or go on with --missing-colour R,G,B", line_of(missing),
-                     missing.cure);
+  return fmt::format("{}; {}{}", line_of(missing), missing.cure, kOrGoOn);
 }
 
 }  // namespace aspect

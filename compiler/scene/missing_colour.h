@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aspect {
@@ -18,6 +19,10 @@ struct MissingColour {
 
 // "FILE:LINE: what"
 std::string line_of(const MissingColour& missing);
+
+// What else can be done about it.
+inline constexpr std::string_view kOrGoOn =
+    ", or go on with --missing-colour R,G,B ([mesh] missing_colour in a project)";
 
 // The one line in which a reader refuses the file.
 std::string refusal_of(const MissingColour& missing);

@@ -42,7 +42,7 @@ std::optional<Vector3d> colour_of(const MeshText& text, Words words) {
 
 }  // namespace
 
-ColouredMesh parse_off(std::string_view file) {
+ColouredMesh parse_off(std::string_view file, const Vector3d& stand_in) {
   MeshText text(file);
   std::vector<std::string_view> words = text.take_words("OFF");
   const Header header = read_header(text, words[0]);
@@ -80,7 +80,19 @@ ColouredMesh parse_off(std::string_view file) {
         text.fail(fmt::format("vertex {}, but there are {}", corners.back(), vertices));
       mean += vertex_colours[corners.back()] / static_cast<double>(count);
     }
-    const auto colour = colour_of(text, Words(words).subspan(count + 1));
+    const Words rest = Words(words).subspan(count + 1);
+    std::optional<Vector3d> colour = colour_of(text, rest);
+    if (!colour && !rest.empty()) {
+      colour = stand_in;
+      if (mesh.missing.empty())
+        mesh.missing.push_back({{},
+                                text.line(),
+                                fmt::format("colour '{}' is a place in a colour map, which OFF "
+                                            "files do not hold",
+                                            shown(rest[0])),
+                                "write r g b",
+                                {0}});
+    }
     coloured = coloured || colour.has_value();
     add_face(mesh, corners, colour.value_or(mean), 0);
   }

@@ -19,7 +19,9 @@ std::vector<SampleFile> own_formats() {
           cube_binary_stl(true),
           cube_dxf_faces(true),
           cube_dxf_polyface(),
-          cube_obj()};
+          cube_obj(),
+          cube_gltf(),
+          cube_glb()};
 }
 
 void require_scene_or_line(const Result<Scene>& scene, const std::string& name) {
