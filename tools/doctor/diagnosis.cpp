@@ -73,6 +73,7 @@ Result<Diagnosis> diagnose(const PreparedObject& object) {
   }
   const WorkingDistance distance = working_distance(object);
   append(diagnosis.findings, check_place(scene, distance));
+  append(diagnosis.findings, check_missing(scene, object.settings.mesh.missing_colour.has_value()));
   const ColourGroups groups = colour_groups(scene);
   append(diagnosis.findings, check_colours(groups, vision));
   const Sight sight = look_around(scene, renderer.value(), groups, vision, distance.far);

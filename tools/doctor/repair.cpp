@@ -88,15 +88,14 @@ void note_done(const Topology& topology, std::vector<std::string>& done) {
 }
 
 Result<Done> mend_mesh(const PreparedObject& object, Repair& repaired) {
-  const Result<ColouredMesh> mesh = read_coloured_mesh(object.scene_file);
+  const MeshColours colours = mesh_colours(object.settings.mesh);
+  const Result<ColouredMesh> mesh =
+      read_coloured_mesh(object.scene_file, colours.missing.value_or(kUncoloured));
   if (!mesh) return Error{mesh.error()};
   const FaceSet set = face_set_of(mesh.value());
   const Topology topology = check_topology(set);
   note_done(topology, repaired.done);
   repaired.mesh = repaired_mesh(mesh.value(), set, topology);
-  MeshColours colours;
-  for (const auto& [part, colour] : object.settings.mesh.colours)
-    colours.by_name.emplace(std::to_string(part), colour);
   Result<Scene> scene = scene_of_mesh(*repaired.mesh, colours);
   if (!scene) return Error{fmt::format("{}: {}", object.scene_file.native(), scene.error())};
   repaired.scene = std::move(scene).value();

@@ -31,6 +31,8 @@ int refuse_usage(const std::string& message) {
 
 void print_warnings(const PreparedObject& object) {
   std::vector<std::string> warnings = object.scene.warnings;
+  for (const MissingColour& missing : object.scene.missing_colours)
+    warnings.push_back(line_of(missing) + "; --missing-colour stands for it");
   if (const auto& distance = object.settings.camera.distance) {
     const auto more = distance_warnings(object.scene, object.settings.options.vision,
                                         distance->front(), distance->back());

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kCamera = "camera", kLight = "light", kSegmentation = "segmentation",
                            kRelations = "relations", kMatching = "matching",
                            kSubdivision = "subdivision", kClasses = "classes", kIndex = "index",
-                           kRun = "run";
+                           kRun = "run", kMesh = "mesh";
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 3> kScorings = {"none", "views", "area"};
@@ -326,10 +326,18 @@ void add_run(std::vector<Option>& all) {
       WholeForm{{1, 1024}}, [](auto& s) -> auto& { return s.jobs; }));
 }
 
+void add_mesh(std::vector<Option>& all) {
+  all.push_back(option(
+      {kMesh, "missing_colour", "--missing-colour", "r, g, b",
+       "stands for colours that the scene names and that are not found",
+       "without it a missing library, material, picture or name is an error"},
+      NumbersForm{3, {0, 1}}, [](auto& s) -> auto& { return s.mesh.missing_colour; }));
+}
+
 std::vector<Option> all_options() {
   std::vector<Option> all;
   for (const auto add : {add_camera, add_light, add_segmentation, add_relations, add_matching,
-                         add_subdivision, add_classes, add_index, add_run})
+                         add_subdivision, add_classes, add_index, add_run, add_mesh})
     add(all);
   return all;
 }

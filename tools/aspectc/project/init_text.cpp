@@ -45,6 +45,8 @@ std::string colour_text(const Eigen::Vector3d& c) {
 // Where neither a default nor the scene has a value, the least there can be stands for it.
 OptionValue value_of(const Option& option, const CompileSettings& settings) {
   if (const auto value = option.get(settings)) return *value;
+  if (const auto* numbers = std::get_if<NumbersForm>(&option.form))
+    return std::vector<double>(numbers->count, numbers->range.least);
   const auto* whole = std::get_if<WholeForm>(&option.form);
   return whole != nullptr ? whole->range.least : 0;
 }
@@ -82,11 +84,11 @@ std::string surface_lines(const Scene& scene) {
   return text;
 }
 
-constexpr std::string_view kMesh = R"(
-# Colours for the parts of a mesh that has none, by their number from 0.
-# [mesh]
-# colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}
+constexpr std::string_view kPartColours =
+    "# Colours for the parts of a mesh that has none, by their number from 0.\n"
+    "# colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}\n";
 
+constexpr std::string_view kObjects = R"(
 # Several objects: leave scene out above and name each here. All of the tables above hold for every
 # object; those of an object, written [object.subdivision] and so on, win over them.
 # [[object]]
@@ -118,7 +120,8 @@ std::string init_text(const std::string& scene_file, const Scene& scene) {
     }
     text += option_lines(option, settings);
   }
-  return text + surface_lines(scene) + std::string(kMesh);
+  text += kPartColours;  // [mesh] is the last table
+  return text + surface_lines(scene) + std::string(kObjects);
 }
 
 }  // namespace aspect

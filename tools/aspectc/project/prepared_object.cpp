@@ -18,10 +18,9 @@ Result<Project> project_of(const std::filesystem::path& file) {
   return Project{{{file, "", {}}}, false};
 }
 
-Result<PreparedObject> prepare(const ProjectObject& object) {
-  SceneReading reading;
-  for (const auto& [part, colour] : object.settings.mesh.colours)
-    reading.colours.by_name.emplace(std::to_string(part), colour);
+Result<PreparedObject> prepare(const ProjectObject& object, const StandIn& stand_in) {
+  SceneReading reading{{}, mesh_colours(object.settings.mesh)};
+  if (!reading.colours.missing) reading.colours.missing = stand_in;
   Result<Scene> scene = read_scene(object.scene, reading);
   if (!scene) return Error{scene.error()};
   PreparedObject prepared{object.scene, std::move(scene).value(), object.settings};
@@ -36,8 +35,17 @@ Result<PreparedObject> prepare(const ProjectObject& object) {
 
 }  // namespace
 
+MeshColours mesh_colours(const MeshSettings& mesh) {
+  MeshColours colours;
+  for (const auto& [part, colour] : mesh.colours)
+    colours.by_name.emplace(std::to_string(part), colour);
+  if (mesh.missing_colour) colours.missing = Eigen::Vector3d(mesh.missing_colour->data());
+  return colours;
+}
+
 std::variant<PreparedObjects, PreparationError> prepare_objects(const std::filesystem::path& file,
-                                                                std::span<const GivenFlag> flags) {
+                                                                std::span<const GivenFlag> flags,
+                                                                const StandIn& stand_in) {
   Result<Project> project = project_of(file);
   if (!project) return PreparationError{project.error()};
   PreparedObjects prepared;
@@ -46,7 +54,7 @@ std::variant<PreparedObjects, PreparationError> prepare_objects(const std::files
     for (const GivenFlag& flag : flags) flag.option->set(object.settings, flag.value);
     if (const auto fault = find_fault(object.settings, flag_name))
       return PreparationError{fault->what, true};
-    Result<PreparedObject> one = prepare(object);
+    Result<PreparedObject> one = prepare(object, stand_in);
     if (!one) return PreparationError{one.error()};
     const std::string& name = one.value().scene.name;
     for (const PreparedObject& other : prepared.objects)
@@ -59,8 +67,9 @@ std::variant<PreparedObjects, PreparationError> prepare_objects(const std::files
   return prepared;
 }
 
-Result<PreparedObject> read_prepared_object(const std::filesystem::path& file) {
-  auto prepared = prepare_objects(file, {});
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file,
+                                            const StandIn& stand_in) {
+  auto prepared = prepare_objects(file, {}, stand_in);
   if (const auto* error = std::get_if<PreparationError>(&prepared)) return Error{error->message};
   std::vector<PreparedObject>& objects = std::get<PreparedObjects>(prepared).objects;
   if (objects.size() != 1)
@@ -69,8 +78,8 @@ Result<PreparedObject> read_prepared_object(const std::filesystem::path& file) {
   return std::move(objects.front());
 }
 
-Result<Scene> read_prepared_scene(const std::filesystem::path& file) {
-  Result<PreparedObject> object = read_prepared_object(file);
+Result<Scene> read_prepared_scene(const std::filesystem::path& file, const StandIn& stand_in) {
+  Result<PreparedObject> object = read_prepared_object(file, stand_in);
   if (!object) return Error{object.error()};
   return std::move(object).value().scene;
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "compiler/scene/mesh_scene.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
 #include "tools/aspectc/options/compile_settings.h"
@@ -19,6 +21,9 @@ struct PreparedObject {
   CompileSettings settings;
 };
 
+// A colour for those that are not found; without one they are errors.
+using StandIn = std::optional<Eigen::Vector3d>;
+
 struct PreparedObjects {
   std::vector<PreparedObject> objects;
   bool is_list = false;  // of a project with [[object]]
@@ -26,16 +31,22 @@ struct PreparedObjects {
 };
 
 // Of a scene, or of all that a project (.toml) names; flags win over the project. Contradicting
-// flags are a fault of usage and told apart.
+// flags are a fault of usage and told apart. `stand_in` stands for colours that are not found where
+// no option says one.
 struct PreparationError {
   std::string message;
   bool usage = false;
 };
 std::variant<PreparedObjects, PreparationError> prepare_objects(const std::filesystem::path& file,
-                                                                std::span<const GivenFlag> flags);
+                                                                std::span<const GivenFlag> flags,
+                                                                const StandIn& stand_in = {});
 
 // A scene file, or a project with a single object, for programs that render it.
-Result<PreparedObject> read_prepared_object(const std::filesystem::path& file);
-Result<Scene> read_prepared_scene(const std::filesystem::path& file);
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file,
+                                            const StandIn& stand_in = {});
+Result<Scene> read_prepared_scene(const std::filesystem::path& file, const StandIn& stand_in = {});
+
+// The colours that the settings say for the file's own.
+MeshColours mesh_colours(const MeshSettings& mesh);
 
 }  // namespace aspect
