@@ -41,6 +41,7 @@ Vector3d colour_of(const aiColor4D& colour) {
 }
 
 constexpr std::size_t kMax3dsBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostTold = 100;
 constexpr const char* kNo3dsMaterial = "%%%DEFAULT";
 
 struct Material {
@@ -71,9 +72,7 @@ class AssimpReader {
  public:
   AssimpReader(const std::filesystem::path& file, const Vector3d& stand_in)
       : file_(file), stand_in_(stand_in) {
-    const std::string extension = lower_extension(file);
-    is_3ds_ = extension == ".3ds";
-    is_gltf_ = extension == ".gltf" || extension == ".glb";
+    is_3ds_ = lower_extension(file) == ".3ds";
   }
 
   ColouredMesh read() {
@@ -98,6 +97,7 @@ class AssimpReader {
     const Result<std::string> bytes = load_text(file_, kMax3dsBytes);
     if (!bytes) throw MeshError(bytes.error());
     for (const std::string& name : undefined_tds_materials(bytes.value())) {
+      if (undefined_.size() == kMostTold) break;
       undefined_.push_back(mesh_.missing.size());
       mesh_.missing.push_back(
           {{}, 0, fmt::format("material '{}' is not defined", shown(name)), "export it with it"});
@@ -165,8 +165,7 @@ class AssimpReader {
         mean += colour_of(source.mColors[0][face.mIndices[c]]) / face.mNumIndices;
     }
     Vector3d colour = material.colour;
-    if (source.HasVertexColors(0))
-      colour = is_gltf_ && material.coloured ? mean.cwiseProduct(colour).eval() : mean;
+    if (source.HasVertexColors(0)) colour = mean;
     add_face(mesh_, corners, colour, part);
   }
 
@@ -219,7 +218,7 @@ class AssimpReader {
 
   const std::filesystem::path& file_;
   const Vector3d stand_in_;
-  bool is_3ds_ = false, is_gltf_ = false, coloured_ = false;
+  bool is_3ds_ = false, coloured_ = false;
   const aiScene* scene_ = nullptr;
   std::vector<Material> materials_;
   std::vector<std::size_t> undefined_;  // materials; places in mesh_.missing

@@ -57,6 +57,8 @@ struct Chunks {
 Chunks chunks_of(std::string_view bytes) {
   if (!bytes.starts_with("glTF")) return {without_byte_order_mark(bytes), {}};
   constexpr std::uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
+  if (bytes.size() < 12 || word_at(bytes, 4) != 2)
+    throw MeshError("is no binary glTF of version 2; export it as 2.0");
   Chunks chunks;
   for (std::size_t at = 12; at + 8 <= bytes.size();) {
     const std::size_t length = word_at(bytes, at);
@@ -133,11 +135,6 @@ std::string without_percents(std::string_view uri) {
 }
 
 }  // namespace
-
-std::string gltf_version(std::string_view bytes) {
-  if (bytes.starts_with("glTF") && bytes.size() >= 8 && word_at(bytes, 4) == 1) return "1.0";
-  return version_of(parsed(chunks_of(bytes).json));
-}
 
 std::optional<std::size_t> whole_member(const Json& object, const char* key) {
   const auto found = object.find(key);

@@ -40,9 +40,6 @@ class GltfFile {
   std::map<std::size_t, std::string> buffers_;
 };
 
-// "2.0"; empty where the file has none.
-std::string gltf_version(std::string_view bytes);
-
 // Of a member; nothing where it is absent. Throws MeshError where it is of another kind.
 std::optional<std::size_t> whole_member(const GltfFile::Json& object, const char* key);
 std::string text_member(const GltfFile::Json& object, const char* key);

@@ -8,7 +8,6 @@
 #include "compiler/scene/assimp_mesh.h"
 #include "compiler/scene/bob_sources.h"
 #include "compiler/scene/dxf_mesh.h"
-#include "compiler/scene/gltf_file.h"
 #include "compiler/scene/gltf_mesh.h"
 #include "compiler/scene/isolated_reader.h"
 #include "compiler/scene/mesh_text.h"
@@ -32,8 +31,7 @@ std::optional<ColouredMesh> parsed(std::string_view bytes, const std::filesystem
                                    const Eigen::Vector3d& stand_in) {
   const std::string extension = lower_extension(file);
   if (extension == ".obj") return parse_obj(bytes, file, stand_in);
-  if (is_gltf(extension) && !gltf_version(bytes).starts_with("1."))
-    return parse_gltf(bytes, file, stand_in);
+  if (is_gltf(extension)) return parse_gltf(bytes, file, stand_in);
   if (extension == ".off") return parse_off(bytes, stand_in);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "compiler/scene/bob_sources.h"
 #include "compiler/scene/mesh_text.h"
@@ -33,6 +34,7 @@ struct Paint {
   TexturedFaces::Picture* picture = nullptr;
   PictureFactor factor = {};
   const MtlMaterial* material = nullptr;
+  bool told_without_coordinates = false;
 };
 
 class ObjReader {
@@ -98,7 +100,7 @@ class ObjReader {
       add_plain(corners, *own, face.part);
       return true;
     }
-    const Paint& paint = paint_of(face.part);
+    Paint& paint = paint_of(face.part);
     if (obj_.coloured && !own && !paint.coloured)
       throw MeshError(
           "a face whose vertices have no colour, while others have; give all of them one");
@@ -133,12 +135,11 @@ class ObjReader {
     add_face(mesh_, indices_, colour, part);
   }
 
-  void add_textured(std::span<const ObjCorner> corners, const Paint& paint,
-                    const ObjFile::Face& face) {
+  void add_textured(std::span<const ObjCorner> corners, Paint& paint, const ObjFile::Face& face) {
     std::vector<Vector3d> places;
     std::vector<Vector2d> uv;
     for (const ObjCorner& corner : corners) {
-      if (!corner.uv) return add_without_coordinates(corners, face);
+      if (!corner.uv) return add_without_coordinates(corners, paint, face);
       places.push_back(obj_.vertices[corner.vertex]);
       uv.push_back(obj_.uv[*corner.uv].cwiseProduct(paint.material->picture_scale) +
                    paint.material->picture_offset);
@@ -146,15 +147,16 @@ class ObjReader {
     TexturedFaces::add(*paint.picture, places, uv, paint.factor, face.part);
   }
 
-  void add_without_coordinates(std::span<const ObjCorner> corners, const ObjFile::Face& face) {
-    if (!told_without_coordinates_)
-      mesh_.missing.push_back(
+  void add_without_coordinates(std::span<const ObjCorner> corners, Paint& paint,
+                               const ObjFile::Face& face) {
+    if (!std::exchange(paint.told_without_coordinates, true))
+      add_missing(
           {{},
            face.line,
            fmt::format("a face without texture coordinates has material '{}', which is a picture",
                        shown(obj_.parts[face.part].material)),
-           "export it with them"});
-    told_without_coordinates_ = true;
+           "export it with them",
+           {face.part}});
     add_plain(corners, stand_in_, face.part);
   }
 
@@ -172,10 +174,14 @@ class ObjReader {
       return {stand_in_, true};
     }
     if (name.empty()) return {};
+    if (obj_.libraries.empty()) {
+      add_without_library(part);
+      return {stand_in_, true};
+    }
     std::vector<std::string_view> known;
     for (const auto& [material, paint] : materials_) known.push_back(material);
     const std::string hint =
-        known.empty() ? "name the library by mtllib"
+        known.empty() ? "the libraries are empty; export them again"
                       : fmt::format("the nearest one there is '{}'", nearest_word(name, known));
     add_missing({{},
                  obj_.parts[part].material_line,
@@ -231,6 +237,20 @@ class ObjReader {
     });
   }
 
+  // One fault, however many materials it costs.
+  void add_without_library(std::uint32_t part) {
+    if (!without_library_) {
+      without_library_ = mesh_.missing.size();
+      mesh_.missing.push_back({{},
+                               obj_.parts[part].material_line,
+                               fmt::format("usemtl '{}' is in no library, since mtllib names none",
+                                           shown(obj_.parts[part].material)),
+                               "name the library by mtllib",
+                               {}});
+    }
+    mesh_.missing[*without_library_].parts.push_back(part);
+  }
+
   void add_lost_library(std::uint32_t part) {
     LostLibrary& lost = lost_.front();
     if (!lost.missing) {
@@ -267,9 +287,9 @@ class ObjReader {
   std::vector<std::optional<Paint>> paints_;  // by part
   TexturedFaces textured_;
   std::vector<std::uint32_t> indices_;
-  std::map<std::string, std::size_t> told_;  // places in mesh_.missing
-  std::set<std::string> colourless_;         // materials, warned of
-  bool told_without_coordinates_ = false;
+  std::map<std::string, std::size_t> told_;     // places in mesh_.missing
+  std::set<std::string> colourless_;            // materials, warned of
+  std::optional<std::size_t> without_library_;  // its place in mesh_.missing
   ColouredMesh mesh_;
 };
 

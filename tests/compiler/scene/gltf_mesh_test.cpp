@@ -316,7 +316,8 @@ TEST_CASE("what a glTF file only claims is not believed") {
   CHECK_THAT(changed("\"mesh\":0", "\"mesh\":1"), Contains("meshes[1], which is not there"));
   CHECK_THAT(changed("\"mesh\":0", "\"children\":[0],\"mesh\":0"), Contains("is in two places"));
   CHECK_THAT(changed("\"POSITION\":0", "\"POSITION\":1"), Contains("has too few numbers"));
-  CHECK_THAT(changed("\"version\":\"2.0\"", "\"version\":\"3.0\""), Contains("version '3.0'"));
+  CHECK_THAT(changed("\"version\":\"2.0\"", "\"version\":\"1.0\""), Contains("version '1.0'"));
+  CHECK_THAT(changed("{\"asset\"", "glTF\x01{\"asset\""), Contains("no binary glTF of version 2"));
 }
 
 }  // namespace aspect

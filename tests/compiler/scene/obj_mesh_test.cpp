@@ -110,6 +110,9 @@ TEST_CASE("a material that no library has is told with its line") {
   const auto bare = folder.write("bare.obj", obj_with(""));
   check_told(bare, bare.string() + ":7:", "usemtl 'red' is in no library");
   CHECK_THAT(refusal(bare), Contains("name the library by mtllib"));
+  // Several materials, one fault.
+  const auto two = folder.write("two.obj", obj_with("") + "usemtl blue\nf 3 2 1\n");
+  check_told(two, two.string() + ":7:", "usemtl 'red' is in no library, since mtllib names none");
 }
 
 TEST_CASE("a material that no face shows may be missing, and a library that nothing needs") {
