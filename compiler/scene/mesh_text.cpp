@@ -43,6 +43,14 @@ std::string lower_case(std::string_view word) {
   return lower;
 }
 
+std::string_view with_line_feeds(std::string_view text, std::string& held) {
+  if (text.find('\n') != std::string_view::npos || text.find('\r') == std::string_view::npos)
+    return text;
+  held = text;
+  std::replace(held.begin(), held.end(), '\r', '\n');
+  return held;
+}
+
 std::string_view without_byte_order_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   return text.starts_with(kMark) ? text.substr(kMark.size()) : text;

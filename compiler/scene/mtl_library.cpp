@@ -131,8 +131,10 @@ class MtlReader {
 
 void read_mtl(std::string_view text, const std::filesystem::path& file, MtlMaterials& materials,
               std::vector<std::string>& warnings) {
+  std::string held;
   try {
-    MtlReader(without_byte_order_mark(text), file, materials, warnings).read();
+    MtlReader(with_line_feeds(without_byte_order_mark(text), held), file, materials, warnings)
+        .read();
   } catch (const MeshError& error) {
     throw MeshError(error.what(), error.line(), file.string());
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 
 #include "compiler/scene/coloured_mesh.h"
 #include "compiler/scene/mesh_text.h"
@@ -15,6 +16,13 @@ using Eigen::Vector3d;
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostCorners = 3 * ColouredMesh::kMaxTriangles;
+
+// Some writers have texture coordinates that are no numbers where there is no picture either.
+double number_or_nan(std::string_view word) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(word.data(), word.data() + word.size(), value);
+  return value;
+}
 
 class ObjFileReader {
  public:
@@ -73,7 +81,7 @@ class ObjFileReader {
 
   void texture_coordinates(const Words& words) {
     if (words.size() < 2) text_.fail("vt without a number; export it again");
-    obj_.uv.emplace_back(text_.number(words[1]), words.size() > 2 ? text_.number(words[2]) : 0);
+    obj_.uv.emplace_back(number_or_nan(words[1]), words.size() > 2 ? number_or_nan(words[2]) : 0);
   }
 
   Vector3d numbers(const Words& words, std::size_t first) const {
@@ -159,7 +167,8 @@ class ObjFileReader {
 }  // namespace
 
 ObjFile read_obj_file(std::string_view text) {
-  return ObjFileReader(text).read();
+  std::string held;
+  return ObjFileReader(with_line_feeds(text, held)).read();
 }
 
 }  // namespace aspect

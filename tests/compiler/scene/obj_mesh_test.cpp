@@ -93,6 +93,21 @@ TEST_CASE("a library is found in spite of its case, another system's folders or 
   CHECK_THAT(guessed.warnings[0], Contains("mtllib 'Part.mtl' of line 1 is taken to be"));
 }
 
+TEST_CASE("lines end in line feeds, carriage returns or both, in the file and its library") {
+  const ScratchFolder folder;
+  const auto with_ends = [](std::string text, const std::string& end) {
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+      text.replace(at, 1, end);
+    return text;
+  };
+  for (const std::string end : {"\n", "\r", "\r\n"}) {
+    folder.write("part.mtl", with_ends(kRedLibrary, end));
+    const auto file =
+        folder.write("part.obj", with_ends(obj_with("mtllib part.mtl\nvt nan(ind) 0\n"), end));
+    CHECK(only_colour(scene_at(file)) == Vector3d(.8, .1, .1));
+  }
+}
+
 TEST_CASE("two files whose names differ in case alone are not chosen between") {
   const ScratchFolder folder;
   folder.write("part.mtl", kRedLibrary);
