@@ -86,7 +86,7 @@ class AssimpReader {
       materials_.push_back(material_of(*scene_->mMaterials[k]));
     add_nodes();
     textured_.add_to(mesh_);
-    if (!coloured_) mesh_.warnings.push_back("holds no colours; all of it is grey");
+    warn_of_uncoloured(mesh_, uncoloured_, faces_);
     return std::move(mesh_);
   }
 
@@ -140,11 +140,13 @@ class AssimpReader {
       material.colour = stand_in_;
       for (const std::size_t missing : undefined_) mesh_.missing[missing].parts.push_back(part);
     }
-    coloured_ = coloured_ || !undefined_.empty() || material.coloured ||
-                !material.texture.empty() || source.HasVertexColors(0);
+    const bool coloured = !undefined_.empty() || material.coloured || !material.texture.empty() ||
+                          source.HasVertexColors(0);
     for (unsigned k = 0; k < source.mNumFaces; ++k) {
       const aiFace& face = source.mFaces[k];
       if (face.mNumIndices < 3) continue;
+      ++faces_;
+      if (!coloured) ++uncoloured_;
       for (unsigned c = 0; c < face.mNumIndices; ++c)
         if (face.mIndices[c] >= source.mNumVertices)
           throw MeshError("a face has a vertex that is not there; export it again");
@@ -218,8 +220,9 @@ class AssimpReader {
 
   const std::filesystem::path& file_;
   const Vector3d stand_in_;
-  bool is_3ds_ = false, coloured_ = false;
+  bool is_3ds_ = false;
   const aiScene* scene_ = nullptr;
+  std::size_t faces_ = 0, uncoloured_ = 0;
   std::vector<Material> materials_;
   std::vector<std::size_t> undefined_;  // materials; places in mesh_.missing
   TexturedFaces textured_;

@@ -58,4 +58,7 @@ std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex);
 void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
               const Eigen::Vector3d& colour, std::uint32_t part);
 
+// Warns where some faces of the file, or all, have no colour.
+void warn_of_uncoloured(ColouredMesh& mesh, std::size_t uncoloured, std::size_t faces);
+
 }  // namespace aspect

@@ -79,7 +79,7 @@ class GltfReader {
   ColouredMesh read() {
     add_nodes();
     textured_.add_to(mesh_);
-    if (!coloured_) mesh_.warnings.push_back("holds no colours; all of it is grey");
+    warn_of_uncoloured(mesh_, uncoloured_, faces_);
     return std::move(mesh_);
   }
 
@@ -173,7 +173,6 @@ class GltfReader {
                                     std::uint32_t part) {
     const std::optional<std::size_t> index = whole_member(primitive, "material");
     if (!index) return std::nullopt;
-    coloured_ = true;
     if (const Json* material = gltf_.find("materials", *index)) return gltf_paint(gltf_, *material);
     add_missing(fmt::format("materials[{}], which {} names, is not there", *index, place), part);
     GltfPaint lost;
@@ -226,7 +225,8 @@ class GltfReader {
         paint && paint->picture ? picture_of(*paint->picture, numbers.uv.has_value(), part)
                                 : nullptr;
     const bool lost = paint && (paint->lost || (paint->picture && picture == nullptr));
-    coloured_ = coloured_ || numbers.colours.has_value();
+    faces_ += triangles.size();
+    if (!paint && !numbers.colours) uncoloured_ += triangles.size();
     for (const Corners& corners : triangles) {
       Vector3d factor = paint ? paint->factor : Vector3d::Ones();
       if (numbers.colours) factor = factor.cwiseProduct(mean_colour(*numbers.colours, corners));
@@ -301,7 +301,7 @@ class GltfReader {
   ColouredMesh mesh_;
   TexturedFaces textured_;
   std::map<std::string, std::size_t> told_;  // places in mesh_.missing
-  bool coloured_ = false;
+  std::size_t faces_ = 0, uncoloured_ = 0;
 };
 
 }  // namespace

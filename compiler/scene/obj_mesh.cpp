@@ -47,16 +47,18 @@ class ObjReader {
     mesh_.warnings = obj_.warnings;
     for (const ObjFile::Part& part : obj_.parts) mesh_.parts.push_back({part.name, part.material});
     for (const ObjFile::Library& library : obj_.libraries) load(library);
-    bool coloured = false;
+    std::size_t uncoloured = 0, faces = 0;
     for (const ObjFile::Face& face : obj_.faces) {
       try {
-        coloured = add(face) || coloured;
+        if (face.corner_count < 3) continue;
+        ++faces;
+        if (!add(face)) ++uncoloured;
       } catch (const MeshError& error) {
         throw MeshError(error.what(), error.line() != 0 ? error.line() : face.line, error.file());
       }
     }
     textured_.add_to(mesh_);
-    if (!coloured) mesh_.warnings.push_back("holds no colours; all of it is grey");
+    warn_of_uncoloured(mesh_, uncoloured, faces);
     warn_of_unneeded_libraries();
     return std::move(mesh_);
   }
@@ -94,7 +96,6 @@ class ObjReader {
   // Whether the face has a colour of its own or of a material.
   bool add(const ObjFile::Face& face) {
     const std::span<const ObjCorner> corners(&obj_.corners[face.first_corner], face.corner_count);
-    if (corners.size() < 3) return false;
     const std::optional<Vector3d> own = obj_.coloured ? own_colour(corners) : std::nullopt;
     if (own && !is_painted(face.part)) {
       add_plain(corners, *own, face.part);

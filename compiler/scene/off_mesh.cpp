@@ -64,10 +64,12 @@ ColouredMesh parse_off(std::string_view file, const Vector3d& stand_in) {
     const std::size_t skipped = header.normals ? 6 : 3;
     const Words rest = Words(words).subspan(std::min(skipped, words.size()));
     const auto colour = header.colours ? colour_of(text, rest) : std::nullopt;
+    if (header.colours && !colour)
+      text.fail("a vertex without the colour that COFF promises; give all of them one");
     vertex_colours.push_back(colour.value_or(kUncoloured));
   }
   std::vector<std::uint32_t> corners;
-  bool coloured = header.colours;
+  std::size_t uncoloured = 0;
   for (std::size_t k = 0; k < faces; ++k) {
     words = text.take_words("a face");
     const std::size_t count = text.count(words[0], ColouredMesh::kMaxFaceCorners);
@@ -93,10 +95,10 @@ ColouredMesh parse_off(std::string_view file, const Vector3d& stand_in) {
                                 "write r g b",
                                 {0}});
     }
-    coloured = coloured || colour.has_value();
+    if (!colour && !header.colours) ++uncoloured;
     add_face(mesh, corners, colour.value_or(mean), 0);
   }
-  if (!coloured) mesh.warnings.push_back("holds no colours; all of it is grey");
+  warn_of_uncoloured(mesh, uncoloured, faces);
   return mesh;
 }
 

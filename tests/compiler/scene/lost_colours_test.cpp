@@ -88,4 +88,35 @@ TEST_CASE("a place in a colour map that an OFF file does not hold is told with i
   check_told(file, file.string() + ":6: colour '7' is a place in a colour map");
 }
 
+TEST_CASE("an OFF file that promises colours of vertices and has some is refused with the line") {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("a.off", "COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
+  const Result<Scene> scene = read_scene(file);
+  REQUIRE_FALSE(scene.ok());
+  CHECK_THAT(scene.error(), StartsWith(file.string() + ":4: a vertex without the colour"));
+}
+
+TEST_CASE("faces without a colour among others are counted") {
+  const ScratchFolder folder;
+  folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
+  const std::string corners = float_bytes({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const auto file_of = [&](const std::string& name) {
+    if (name == "a.obj")
+      return "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 4\nusemtl red\nf 1 2 3\n"s;
+    if (name == "a.off")
+      return "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 3\n3 0 1 2 1.0 0 0\n"s;
+    return std::string(80, ' ') + "\2\0\0\0"s + corners + "\0\0"s +
+           float_bytes({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1}) + "\0\xfc"s;
+  };
+  for (const char* name : {"a.obj", "a.off", "a.stl"}) {
+    INFO(name);
+    const Result<Scene> scene = read_scene(folder.write(name, file_of(name)));
+    if (!scene) FAIL(scene.error());
+    CHECK(scene.value().surfaces.size() == 2);
+    REQUIRE(scene.value().warnings.size() == 1);
+    CHECK_THAT(scene.value().warnings[0], Contains("1 of 2 faces have no colour; they are grey"));
+  }
+}
+
 }  // namespace aspect
