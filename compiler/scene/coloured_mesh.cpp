@@ -38,8 +38,7 @@ std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex) {
   return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
-              const Eigen::Vector3d& colour, std::uint32_t part) {
+std::vector<Triangle> cut_face(const ColouredMesh& mesh, std::span<const std::uint32_t> corners) {
   if (corners.size() > ColouredMesh::kMaxFaceCorners)
     throw MeshError(fmt::format("a face of {} corners, at most {} are read; write triangles",
                                 corners.size(), ColouredMesh::kMaxFaceCorners));
@@ -52,14 +51,15 @@ void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
     if (!polygon.back().allFinite())
       throw MeshError(fmt::format("vertex {} is not finite; export it again", corner));
   }
-  if (corners.size() == 3)
-    return add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
+  if (corners.size() == 3) return {{0, 1, 2}};
   // A warped one is two triangles whichever way it is looked at.
-  if (corners.size() == 4 && is_warped(polygon)) {
-    add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
-    return add_triangle(mesh, {corners[0], corners[2], corners[3]}, colour, part);
-  }
-  for (const auto& [a, b, c] : triangulate(polygon))
+  if (corners.size() == 4 && is_warped(polygon)) return {{0, 1, 2}, {0, 2, 3}};
+  return triangulate(polygon);
+}
+
+void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
+              const Eigen::Vector3d& colour, std::uint32_t part) {
+  for (const auto& [a, b, c] : cut_face(mesh, corners))
     add_triangle(mesh, {corners[a], corners[b], corners[c]}, colour, part);
 }
 

@@ -47,8 +47,12 @@ inline const Eigen::Vector3d kUncoloured{0.7, 0.7, 0.7};
 // Throws MeshError past kMaxVertices.
 std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex);
 
-// A face with any number of corners, cut into triangles. Fewer than three corners are nothing.
-// Throws MeshError where a corner is not there or a limit is passed.
+// A face's triangles, by the places of their corners among its own; none of fewer than three
+// corners. Throws MeshError where a corner is not there or a limit is passed.
+std::vector<std::array<std::uint32_t, 3>> cut_face(const ColouredMesh& mesh,
+                                                   std::span<const std::uint32_t> corners);
+
+// A face with any number of corners, cut into triangles. Throws MeshError as above.
 void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
               const Eigen::Vector3d& colour, std::uint32_t part);
 

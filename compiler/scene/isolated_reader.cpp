@@ -62,15 +62,18 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
   std::string failure;
+  std::uint64_t line = 0;
   try {
     write_mesh(descriptor, read());
     ::_exit(0);
   } catch (const MeshError& error) {
     failure = error.what();
+    line = error.line();
   } catch (const std::exception& error) {
     failure = std::string("cannot be read (") + error.what() + "); export it again";
   }
   write_all(descriptor, &kError, 1);
+  write_all(descriptor, &line, sizeof line);
   write_text(descriptor, failure);
   ::_exit(0);
 }
@@ -96,11 +99,15 @@ class Answer {
   explicit Answer(const std::string& bytes) : bytes_(bytes) {}
 
   char mark() { return bytes_.empty() ? '\0' : bytes_[position_++]; }
+  std::uint64_t number() {
+    std::uint64_t value = 0;
+    take(&value, sizeof value);
+    return value;
+  }
 
   template <typename Value>
   std::vector<Value> list() {
-    std::uint64_t count = 0;
-    take(&count, sizeof count);
+    const std::uint64_t count = number();
     if (count > (bytes_.size() - position_) / sizeof(Value)) fail_broken();
     std::vector<Value> values(count);
     take(values.data(), count * sizeof(Value));
@@ -167,7 +174,10 @@ ColouredMesh read_isolated(const std::function<ColouredMesh()>& read) {
   Answer answer(bytes);
   const char mark = answer.mark();
   if (status != 0 || (mark != kMesh && mark != kError)) fail_broken();
-  if (mark == kError) throw MeshError(answer.text());
+  if (mark == kError) {
+    const std::uint64_t line = answer.number();
+    throw MeshError(answer.text(), line);
+  }
   return mesh_in(answer);
 }
 

@@ -14,6 +14,7 @@
 #include "compiler/scene/ply_mesh.h"
 #include "compiler/scene/scene_reader.h"
 #include "compiler/scene/stl_mesh.h"
+#include "compiler/scene/texture_file.h"
 
 namespace aspect {
 namespace {
@@ -21,12 +22,17 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
 
 // Nothing where the format is left to Assimp.
-std::optional<ColouredMesh> parsed(std::string_view bytes, const std::string& extension) {
+std::optional<ColouredMesh> parsed(std::string_view bytes, const std::string& extension,
+                                   const TextureSource& texture_of) {
   if (extension == ".off") return parse_off(bytes);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);
-  if (extension == ".ply" && !is_textured_ply(bytes)) return parse_ply(bytes);
+  if (extension == ".ply") return parse_ply(bytes, texture_of);
   return std::nullopt;
+}
+
+MeshTexture no_texture(const std::string&) {
+  throw MeshError("is read beside a file alone; give the mesh as a file");
 }
 
 template <typename Value>
@@ -67,7 +73,14 @@ std::string load(const std::filesystem::path& file) {
 }
 
 ColouredMesh read_triangles(const std::filesystem::path& file) {
-  if (std::optional<ColouredMesh> mesh = parsed(load(file), lower_extension(file)))
+  const std::string bytes = load(file), extension = lower_extension(file);
+  const auto texture_of = [&](const std::string& name) {
+    return decode_texture(load_texture(file.parent_path(), name));
+  };
+  // Pictures are left to a library.
+  if (extension == ".ply" && names_textures(bytes))
+    return read_isolated([&] { return parse_ply(bytes, texture_of); });
+  if (std::optional<ColouredMesh> mesh = parsed(bytes, extension, texture_of))
     return std::move(*mesh);
   return read_isolated([&] { return read_with_assimp(file); });
 }
@@ -86,7 +99,7 @@ Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file) {
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
                          const MeshColours& colours) {
   return scene_from(name, colours, [&] {
-    if (std::optional<ColouredMesh> mesh = parsed(bytes, lower_extension(name)))
+    if (std::optional<ColouredMesh> mesh = parsed(bytes, lower_extension(name), no_texture))
       return std::move(*mesh);
     throw MeshError("this format is read from files alone");
   });

@@ -1,5 +1,6 @@
 #include "compiler/scene/mesh_texture.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
@@ -14,6 +15,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kUniform = 24.0 / 255, kAlike = 12.0 / 255;
+// Borders in textures are jagged by this share of the object's size: 3 pixels of 512.
+constexpr double kLeastEdge = 0.01;
 constexpr int kMaxSamples = 32;  // along an edge
 
 struct Seen {
@@ -110,6 +113,12 @@ MeshTexture decode_texture(std::span<const std::uint8_t> file) {
   cv::Mat rgb;
   cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
   return {rgb.cols, rgb.rows, std::vector<std::uint8_t>(rgb.datastart, rgb.dataend)};
+}
+
+double least_texture_edge(const ColouredMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  return kLeastEdge * (box.isEmpty() ? 1 : box.diagonal().norm());
 }
 
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,

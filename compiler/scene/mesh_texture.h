@@ -37,4 +37,7 @@ struct TexturedTriangle {
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,
                   const MeshTexture& texture, double least_edge);
 
+// A `least_edge` that suits the size of the mesh as it is.
+double least_texture_edge(const ColouredMesh& mesh);
+
 }  // namespace aspect

@@ -4,15 +4,20 @@
 #include <string_view>
 
 #include "compiler/scene/coloured_mesh.h"
+#include "compiler/scene/ply_faces.h"
 
 namespace aspect {
 
-// Text and binary of either byte order (paulbourke.net/dataformats/ply). A face's own colour wins
-// over those of its corners, of which the mean is taken. Names: red, green, blue, also with
-// diffuse_ in front, or r, g, b. Throws MeshError.
-ColouredMesh parse_ply(std::string_view file);
+// Text and binary of either byte order (paulbourke.net/dataformats/ply). A face's texture wins over
+// its own colour, and that over those of its corners, of which the mean is taken. Colours: red,
+// green, blue, also with diffuse_ in front, or r, g, b. Textures: comment TextureFile for each, and
+// coordinates of faces (texcoord, with texnumber, as MeshLab writes them), of vertices (s t, u v,
+// with texture_ in front) or in multi_texture_vertex and multi_texture_face; v goes upwards. A
+// texture that faces have and that `texture_of` cannot give is an error with its line. Throws
+// MeshError.
+ColouredMesh parse_ply(std::string_view file, const TextureSource& texture_of);
 
-// Whether its header names texture coordinates or a texture, which parse_ply() does not read.
-bool is_textured_ply(std::string_view file);
+// Whether its header names textures, so that other files are needed. Throws MeshError.
+bool names_textures(std::string_view ply_file);
 
 }  // namespace aspect
