@@ -1,12 +1,12 @@
 #include "compiler/scene/mesh_texture.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "compiler/scene/colour_palette.h"
+#include "compiler/scene/srgb.h"
 
 namespace aspect {
 namespace {
@@ -15,8 +15,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kUniform = 24.0 / 255, kAlike = 12.0 / 255;
-// Borders in textures are jagged by this share of the object's size: 3 pixels of 512.
-constexpr double kLeastEdge = 0.01;
 constexpr int kMaxSamples = 32;  // along an edge
 
 struct Seen {
@@ -74,6 +72,12 @@ double longest_edge(const TexturedTriangle& triangle) {
   return longest;
 }
 
+Vector3d coloured_by(const TexturedTriangle& triangle, const Vector3d& colour) {
+  if (!triangle.linear_factor) return colour.cwiseProduct(triangle.factor);
+  if (triangle.factor == Vector3d::Ones()) return colour;
+  return srgb_of_linear(linear_of_srgb(colour).cwiseProduct(triangle.factor));
+}
+
 std::array<TexturedTriangle, 4> cut(const TexturedTriangle& whole) {
   std::array<TexturedTriangle, 4> parts = {whole, whole, whole, whole};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -115,12 +119,6 @@ MeshTexture decode_texture(std::span<const std::uint8_t> file) {
   return {rgb.cols, rgb.rows, std::vector<std::uint8_t>(rgb.datastart, rgb.dataend)};
 }
 
-double least_texture_edge(const ColouredMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
-  return kLeastEdge * (box.isEmpty() ? 1 : box.diagonal().norm());
-}
-
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,
                   const MeshTexture& texture, double least_edge) {
   ColourPalette palette(kAlike);
@@ -140,8 +138,7 @@ void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangle
       const std::size_t colour = palette.find_or_add(seen.uniform ? seen.mean : seen.commonest);
       std::array<std::uint32_t, 3> corners{};
       for (std::size_t k = 0; k < 3; ++k) corners[k] = add_vertex(mesh, triangle.corners[k]);
-      add_face(mesh, corners, palette.colours()[colour].cwiseProduct(triangle.factor),
-               triangle.part);
+      add_face(mesh, corners, coloured_by(triangle, palette.colours()[colour]), triangle.part);
     }
   }
 }

@@ -26,6 +26,7 @@ struct TexturedTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   std::array<Eigen::Vector2d, 3> uv;
   Eigen::Vector3d factor{1, 1, 1};  // of the texture's colours
+  bool linear_factor = false;       // of their light, not of their values
   std::uint32_t part = 0;
 };
 
@@ -36,8 +37,5 @@ struct TexturedTriangle {
 // and detail finer than 1/32 of a uniform-looking triangle is missed.
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,
                   const MeshTexture& texture, double least_edge);
-
-// A `least_edge` that suits the size of the mesh as it is.
-double least_texture_edge(const ColouredMesh& mesh);
 
 }  // namespace aspect

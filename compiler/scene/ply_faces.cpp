@@ -3,18 +3,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+
+#include "compiler/scene/mesh_text.h"
+#include "compiler/scene/named_file.h"
+#include "compiler/scene/textured_faces.h"
 
 namespace aspect {
 namespace {
 
-MeshTexture read(const PlyTexture& texture, const TextureSource& texture_of) {
-  try {
-    return texture_of(texture.name);
-  } catch (const MeshError& error) {
-    throw MeshError(fmt::format("texture '{}' {}", shown(texture.name), error.what()),
-                    texture.line);
+class PlyPictures {
+ public:
+  PlyPictures(std::span<const PlyTexture> textures, const std::filesystem::path& folder)
+      : textures_(textures), folder_(folder), told_(textures.size()) {}
+
+  // Null where it is not found, which is told once.
+  TexturedFaces::Picture* find(std::size_t texture, ColouredMesh& mesh) {
+    const PlyTexture& named = textures_[texture];
+    TexturedFaces::Picture& picture =
+        faces_.picture(named.name, [&] { return load(named, mesh.warnings); });
+    if (picture.texture) return &picture;
+    if (!told_[texture])
+      mesh.missing.push_back({{},
+                              named.line,
+                              fmt::format("texture '{}' {}", shown(named.name), picture.fault),
+                              "put it beside the mesh",
+                              {0}});
+    told_[texture] = true;
+    return nullptr;
   }
-}
+
+  void add_to(ColouredMesh& mesh) const { faces_.add_to(mesh); }
+
+ private:
+  std::vector<std::uint8_t> load(const PlyTexture& texture, std::vector<std::string>& warnings) {
+    const std::optional<NamedFile> found = find_named_file(folder_, texture.name);
+    if (!found) throw MeshError("is not there");
+    if (found->guessed)
+      warnings.push_back(fmt::format("texture '{}' of line {} is taken to be {}",
+                                     shown(texture.name), texture.line, found->path.string()));
+    return load_picture(found->path);
+  }
+
+  std::span<const PlyTexture> textures_;
+  const std::filesystem::path& folder_;
+  TexturedFaces faces_;
+  std::vector<bool> told_;  // by texture
+};
 
 }  // namespace
 
@@ -34,27 +69,24 @@ void PlyFaces::set_texture(std::size_t face, int texture,
 }
 
 void add_ply_faces(ColouredMesh& mesh, const PlyFaces& faces, std::span<const PlyTexture> textures,
-                   const TextureSource& texture_of) {
-  std::vector<std::vector<TexturedTriangle>> textured(textures.size());
+                   const std::filesystem::path& folder, const Eigen::Vector3d& stand_in) {
+  PlyPictures pictures(textures, folder);
+  std::vector<Eigen::Vector3d> places;
   for (const PlyFaces::Face& face : faces.faces) {
     const auto corners = std::span(faces.corners).subspan(face.begin, face.count);
-    if (face.texture == PlyFaces::kPlain) {
-      add_face(mesh, corners, face.colour, 0);
+    const bool plain = face.texture == PlyFaces::kPlain;
+    TexturedFaces::Picture* picture =
+        plain ? nullptr : pictures.find(static_cast<std::size_t>(face.texture), mesh);
+    if (picture == nullptr) {
+      add_face(mesh, corners, plain ? face.colour : stand_in, 0);
       continue;
     }
-    for (const auto& places : cut_face(mesh, corners)) {
-      TexturedTriangle triangle;
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangle.corners[k] = mesh.vertices[corners[places[k]]];
-        triangle.uv[k] = faces.texcoords[face.begin + places[k]];
-      }
-      textured.at(static_cast<std::size_t>(face.texture)).push_back(triangle);
-    }
+    places.clear();
+    for (const std::uint32_t corner : corners) places.push_back(mesh.vertices[corner]);
+    const auto coordinates = std::span(faces.texcoords).subspan(face.begin, face.count);
+    TexturedFaces::add(*picture, places, coordinates, {}, 0);
   }
-  const double least_edge = least_texture_edge(mesh);
-  for (std::size_t k = 0; k < textures.size(); ++k)
-    if (!textured[k].empty())
-      add_textured(mesh, textured[k], read(textures[k], texture_of), least_edge);
+  pictures.add_to(mesh);
 }
 
 }  // namespace aspect

@@ -3,19 +3,14 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <functional>
+#include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "compiler/scene/coloured_mesh.h"
-#include "compiler/scene/mesh_texture.h"
 #include "compiler/scene/ply_header.h"
 
 namespace aspect {
-
-// The picture of that name. Throws MeshError without a line.
-using TextureSource = std::function<MeshTexture(const std::string& name)>;
 
 struct PlyFaces {
   static constexpr int kPlain = -1;
@@ -35,9 +30,10 @@ struct PlyFaces {
   void set_texture(std::size_t face, int texture, std::span<const Eigen::Vector2d> coordinates);
 };
 
-// The faces of part 0: plain ones first, then texture by texture. A texture that no face has is not
-// looked for. Throws MeshError, with the line of a texture that is not there.
+// The faces of part 0: plain ones first, then by the names of textures, which are looked for in
+// `folder` where a face has them. Those whose texture is not found have the colour `stand_in`, and
+// it is in mesh.missing. Throws MeshError.
 void add_ply_faces(ColouredMesh& mesh, const PlyFaces& faces, std::span<const PlyTexture> textures,
-                   const TextureSource& texture_of);
+                   const std::filesystem::path& folder, const Eigen::Vector3d& stand_in);
 
 }  // namespace aspect

@@ -48,14 +48,12 @@ struct Texcoords {
 
 class PlyReader {
  public:
-  PlyReader(std::string_view file, MeshText& text, const TextureSource& texture_of)
-      : header_(read_ply_header(text)),
-        numbers_(file, text, header_.format),
-        texture_of_(texture_of) {
+  PlyReader(std::string_view bytes, MeshText& text, const Vector3d& stand_in)
+      : header_(read_ply_header(text)), numbers_(bytes, text, header_.format), stand_in_(stand_in) {
     mesh_.parts.push_back({});
   }
 
-  ColouredMesh read() {
+  ColouredMesh read(const std::filesystem::path& folder) {
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
       if (element.name == "vertex")
@@ -70,7 +68,7 @@ class PlyReader {
         skip(element);
     }
     tell_of_missing_colours();
-    add_ply_faces(mesh_, faces_, header_.textures, texture_of_);
+    add_ply_faces(mesh_, faces_, header_.textures, folder, stand_in_);
     return std::move(mesh_);
   }
 
@@ -232,11 +230,13 @@ class PlyReader {
         std::count_if(faces_.faces.begin(), faces_.faces.end(),
                       [](const PlyFaces::Face& face) { return face.texture == PlyFaces::kPlain; }));
     if (!header_.textures.empty() && !has_texcoords_) {
+      const auto& [name, line] = header_.textures[0];
       const std::string fault =
-          fmt::format("texture '{}' is named, but there are no texture coordinates",
-                      shown(header_.textures[0].name));
-      if (!coloured_) throw MeshError(fault + "; export them", header_.textures[0].line);
-      mesh_.warnings.push_back(fault + "; the colours of faces or vertices are used");
+          fmt::format("texture '{}' is named, but there are no texture coordinates", shown(name));
+      if (coloured_)
+        return mesh_.warnings.push_back(fault + "; the colours of faces or vertices are used");
+      mesh_.missing.push_back({{}, line, fault, "export them", {0}});
+      for (PlyFaces::Face& face : faces_.faces) face.colour = stand_in_;
     } else if (!coloured_ && plain == faces_.faces.size()) {
       mesh_.warnings.push_back(
           has_texcoords_
@@ -251,7 +251,7 @@ class PlyReader {
 
   PlyHeader header_;
   PlyNumbers numbers_;
-  const TextureSource& texture_of_;
+  const Vector3d& stand_in_;
   ColouredMesh mesh_;
   PlyFaces faces_;
   std::vector<Vector3d> vertex_colours_;
@@ -266,13 +266,14 @@ class PlyReader {
 
 }  // namespace
 
-ColouredMesh parse_ply(std::string_view file, const TextureSource& texture_of) {
-  MeshText text(file);
-  return PlyReader(file, text, texture_of).read();
+ColouredMesh parse_ply(std::string_view bytes, const std::filesystem::path& file,
+                       const Vector3d& stand_in) {
+  MeshText text(bytes);
+  return PlyReader(bytes, text, stand_in).read(file.parent_path());
 }
 
-bool names_textures(std::string_view ply_file) {
-  MeshText text(ply_file);
+bool names_textures(std::string_view ply_bytes) {
+  MeshText text(ply_bytes);
   return !read_ply_header(text).textures.empty();
 }
 

@@ -265,14 +265,19 @@ TEST_CASE("a PLY texture that is not there is an error with the line that names 
   const auto textured = [](const std::string& comments) {
     return squares(comments, kTexcoord, [](int) { return whole_picture(); });
   };
+  const std::string way_out = "; put it beside the mesh, or go on with --missing-colour R,G,B";
   CHECK(error_of_ply(folder, textured("comment x\ncomment TextureFile sides.png\n")) ==
-        ":4: texture 'sides.png' is not there; put it beside the mesh");
-  folder.write("Sides.PNG", png_of({kRed}));
-  CHECK(error_of_ply(folder, textured("comment TextureFile sides.png\n")) ==
-        ":3: texture 'sides.png' is not there, but 'Sides.PNG' is; give them one name");
+        ":4: texture 'sides.png' is not there" + way_out);
   folder.write("sides.png", "no picture");
   CHECK(error_of_ply(folder, textured("comment TextureFile sides.png\n")) ==
-        ":3: texture 'sides.png' is no picture that is read; write PNG or JPEG");
+        ":3: texture 'sides.png' is no picture that is read; write PNG or JPEG" + way_out);
+  std::filesystem::remove(folder.path() / "sides.png");
+  folder.write("Sides.PNG", png_of({kRed}));
+  const ColouredMesh guessed =
+      read(folder.write("a.ply", textured("comment TextureFile sides.png\n")));
+  CHECK(colour_of_square(guessed, 0) == kRed);
+  REQUIRE(guessed.warnings.size() == 1);
+  CHECK(guessed.warnings[0].starts_with("texture 'sides.png' of line 3 is taken to be "));
   folder.write("maps/sides.png", png_of({kGreen}));
   folder.write("sides.png", png_of({kRed}));
   for (const auto& [name, colour] : {std::pair{"maps\\sides.png", kGreen},
@@ -299,12 +304,31 @@ TEST_CASE("PLY textures that fit no face, or no one face, are errors") {
         ": a face of 4 corners has 6 texture coordinates, not 8; export it again");
   CHECK(error_of_ply(folder, squares("comment TextureFile red.png\n", {},
                                      [](int) { return std::string(); })) ==
-        ":3: texture 'red.png' is named, but there are no texture coordinates; export them");
-  CHECK(parse_mesh(squares("comment TextureFile red.png\n", kTexcoord, whole), "a.ply").error() ==
-        "a.ply:3: texture 'red.png' is read beside a file alone; give the mesh as a file");
+        ":3: texture 'red.png' is named, but there are no texture coordinates; export them, or go "
+        "on with --missing-colour R,G,B");
   const ColouredMesh grey = read(folder.write("a.ply", squares("", kTexcoord, whole)));
   REQUIRE(grey.warnings.size() == 1);
   CHECK(grey.warnings[0].starts_with("has texture coordinates, but names no texture"));
+}
+
+TEST_CASE("a colour that is given stands for a PLY texture that is not there, and it is told") {
+  const ScratchFolder folder;
+  folder.write("green.png", png_of({kGreen}));
+  const auto file = folder.write("a.ply", squares(kTwo, kTexcoord + kTexnumber, [](int k) {
+                                   return fmt::format("{} {}", whole_picture(), k % 2);
+                                 }));
+  const Result<ColouredMesh> mesh = read_coloured_mesh(file, {.5, 0, .5});
+  if (!mesh) FAIL(mesh.error());
+  CHECK(colour_of_square(mesh.value(), 0) == Vector3d(.5, 0, .5));
+  CHECK(colour_of_square(mesh.value(), 1) == kGreen);
+  CHECK(colour_of_square(mesh.value(), 2) == Vector3d(.5, 0, .5));
+  REQUIRE(mesh.value().missing.size() == 1);
+  CHECK(line_of(mesh.value().missing[0]) == ":3: texture 'red.png' is not there");
+  MeshColours colours;
+  colours.missing = Vector3d(.5, 0, .5);
+  const Result<Scene> scene = read_mesh(file, colours);
+  if (!scene) FAIL(scene.error());
+  CHECK(scene.value().missing_colours.size() == 1);
 }
 
 }  // namespace aspect
