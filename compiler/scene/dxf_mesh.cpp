@@ -210,7 +210,7 @@ class DxfReader {
              const Vector3d& upwards, const DxfOwner& owner) {
     const auto lower = ring(outline, placed, Vector3d::Zero());
     const auto upper = ring(outline, placed, upwards);
-    add(lower, entity, owner);
+    add({lower.rbegin(), lower.rend()}, entity, owner);
     add(upper, entity, owner);
     add_walls(entity, lower, upper, true, owner);
   }

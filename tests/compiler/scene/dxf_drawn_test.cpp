@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <set>
 
 #include "compiler/scene/dxf_mesh.h"
 #include "compiler/scene/dxf_names.h"
@@ -63,23 +64,21 @@ void require_box(const ColouredMesh& mesh, const Vector3d& least, const Vector3d
   CHECK((box.max() - greatest).norm() < 1e-9);
 }
 
-// Every edge between two triangles, as that of a closed body.
+// Every edge between two triangles that show the same side, as that of a closed body.
 bool is_closed(const ColouredMesh& mesh) {
-  const auto less = [](const Vector3d& a, const Vector3d& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  using Edge = std::array<double, 6>;
+  const auto edge = [](const Vector3d& a, const Vector3d& b) {
+    return Edge{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
   };
-  const auto edge_less = [&](const auto& a, const auto& b) {
-    if (less(a.first, b.first) || less(b.first, a.first)) return less(a.first, b.first);
-    return less(a.second, b.second);
-  };
-  std::map<std::pair<Vector3d, Vector3d>, int, decltype(edge_less)> uses(edge_less);
+  std::multiset<Edge> ways, ways_back;
   for (const auto& triangle : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      Vector3d a = mesh.vertices[triangle[k]], b = mesh.vertices[triangle[(k + 1) % 3]];
-      if (less(b, a)) std::swap(a, b);
-      ++uses[{a, b}];
+      const Vector3d& a = mesh.vertices[triangle[k]];
+      const Vector3d& b = mesh.vertices[triangle[(k + 1) % 3]];
+      ways.insert(edge(a, b));
+      ways_back.insert(edge(b, a));
     }
-  return std::ranges::all_of(uses, [](const auto& use) { return use.second == 2; });
+  return ways == ways_back;
 }
 
 std::string thick(const std::string& kind, const std::string& groups, double thickness = 3) {
