@@ -9,24 +9,18 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <optional>
 
-#include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/mesh_text.h"
-#include "compiler/scene/mesh_texture.h"
+#include "compiler/scene/named_file.h"
 #include "compiler/scene/scene_reader.h"
+#include "compiler/scene/textured_faces.h"
 
 namespace aspect {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-// Borders in textures are jagged by this share of the object's size: 3 pixels of 512.
-constexpr double kLeastEdge = 0.01;
-constexpr std::uintmax_t kMaxTextureBytes = std::uintmax_t{256} << 20;
 
 Eigen::Affine3d affine(const aiMatrix4x4& m) {
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
@@ -69,7 +63,8 @@ Material material_of(const aiMaterial& source) {
 
 class AssimpReader {
  public:
-  explicit AssimpReader(const std::filesystem::path& file) : file_(file) {
+  AssimpReader(const std::filesystem::path& file, const Vector3d& stand_in)
+      : file_(file), stand_in_(stand_in) {
     const std::string extension = lower_extension(file);
     is_3ds_ = extension == ".3ds";
     is_gltf_ = extension == ".gltf" || extension == ".glb";
@@ -84,7 +79,7 @@ class AssimpReader {
     for (unsigned k = 0; k < scene_->mNumMaterials; ++k)
       materials_.push_back(material_of(*scene_->mMaterials[k]));
     add_nodes();
-    add_textures();
+    textured_.add_to(mesh_);
     if (!coloured_) mesh_.warnings.push_back("holds no colours; all of it is grey");
     return std::move(mesh_);
   }
@@ -108,9 +103,8 @@ class AssimpReader {
   }
 
   void add_mesh(const aiMesh& source, const aiNode& node, const Eigen::Affine3d& placed) {
-    static const Material kPlain;
-    const Material& material =
-        source.mMaterialIndex < materials_.size() ? materials_[source.mMaterialIndex] : kPlain;
+    Material material;
+    if (source.mMaterialIndex < materials_.size()) material = materials_[source.mMaterialIndex];
     const auto part = static_cast<std::uint32_t>(mesh_.parts.size());
     const char* name = source.mName.length > 0 ? source.mName.C_Str() : node.mName.C_Str();
     mesh_.parts.push_back({name, material.name});
@@ -120,17 +114,19 @@ class AssimpReader {
       add_vertex(mesh_, placed * Vector3d(static_cast<double>(v.x), static_cast<double>(v.y),
                                           static_cast<double>(v.z)));
     }
-    const MeshTexture* texture =
-        source.HasTextureCoords(material.uv_channel) ? texture_of(material) : nullptr;
-    coloured_ = coloured_ || material.coloured || texture != nullptr || source.HasVertexColors(0);
+    const bool has_uv = source.HasTextureCoords(material.uv_channel);
+    TexturedFaces::Picture* picture = picture_of(material, has_uv, part);
+    if (picture == nullptr && !material.texture.empty()) material.colour = stand_in_;
+    coloured_ =
+        coloured_ || material.coloured || !material.texture.empty() || source.HasVertexColors(0);
     for (unsigned k = 0; k < source.mNumFaces; ++k) {
       const aiFace& face = source.mFaces[k];
       if (face.mNumIndices < 3) continue;
       for (unsigned c = 0; c < face.mNumIndices; ++c)
         if (face.mIndices[c] >= source.mNumVertices)
           throw MeshError("a face has a vertex that is not there; export it again");
-      if (texture != nullptr)
-        add_textured_face(source, face, first, material, *texture, part);
+      if (picture != nullptr)
+        add_textured_face(source, face, first, material, *picture, part);
       else
         add_plain_face(source, face, first, material, part);
     }
@@ -152,84 +148,65 @@ class AssimpReader {
   }
 
   void add_textured_face(const aiMesh& source, const aiFace& face, std::uint32_t first,
-                         const Material& material, const MeshTexture& texture, std::uint32_t part) {
-    std::vector<Vector3d> polygon;
+                         const Material& material, TexturedFaces::Picture& picture,
+                         std::uint32_t part) {
+    std::vector<Vector3d> places;
+    std::vector<Vector2d> uv;
     for (unsigned c = 0; c < face.mNumIndices; ++c) {
-      polygon.push_back(mesh_.vertices[first + face.mIndices[c]]);
-      if (!polygon.back().allFinite() || polygon.size() > ColouredMesh::kMaxFaceCorners)
-        throw MeshError("a face has a vertex that is not finite, or too many; export it again");
+      const aiVector3D& at = source.mTextureCoords[material.uv_channel][face.mIndices[c]];
+      places.push_back(mesh_.vertices[first + face.mIndices[c]]);
+      uv.emplace_back(static_cast<double>(at.x), static_cast<double>(at.y));
     }
-    std::vector<Triangle> triangles = {{0, 1, 2}};
-    if (polygon.size() > 3) triangles = triangulate(polygon);
-    for (const Triangle& corners : triangles) {
-      TexturedTriangle triangle;
-      triangle.part = part;
-      // Many writers leave the colour beside a texture black.
-      if (!material.colour.isZero() && material.coloured) triangle.factor = material.colour;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const aiVector3D& uv =
-            source.mTextureCoords[material.uv_channel][face.mIndices[corners[k]]];
-        triangle.corners[k] = polygon[corners[k]];
-        triangle.uv[k] = {static_cast<double>(uv.x), static_cast<double>(uv.y)};
-      }
-      textured_[&texture].push_back(triangle);
-    }
+    PictureFactor factor;
+    // Many writers leave the colour beside a texture black.
+    if (!material.colour.isZero() && material.coloured) factor.factor = material.colour;
+    TexturedFaces::add(picture, places, uv, factor, part);
   }
 
-  // In the order of the textures' names.
-  void add_textures() {
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& vertex : mesh_.vertices) box.extend(vertex);
-    const double least_edge = kLeastEdge * (box.isEmpty() ? 1 : box.diagonal().norm());
-    for (const auto& [name, texture] : textures_)
-      if (const auto found = textured_.find(&*texture); texture && found != textured_.end())
-        add_textured(mesh_, found->second, *texture, least_edge);
-  }
-
-  // Null where the material has none, or one that cannot be read: a warning.
-  const MeshTexture* texture_of(const Material& material) {
+  // Null where the material has none, or one that is not there: that is told.
+  TexturedFaces::Picture* picture_of(const Material& material, bool has_uv, std::uint32_t part) {
     if (material.texture.empty()) return nullptr;
-    const auto [place, added] = textures_.try_emplace(material.texture);
-    if (added) {
-      try {
-        place->second = decode_texture(texture_bytes(material.texture));
-      } catch (const MeshError& error) {
-        mesh_.warnings.push_back(fmt::format("texture '{}' {}; the material's colour is used",
-                                             shown(material.texture), error.what()));
-      }
-    }
-    return place->second ? &*place->second : nullptr;
+    TexturedFaces::Picture& picture =
+        textured_.picture(material.texture, [&] { return picture_bytes(material.texture); });
+    if (picture.texture && has_uv) return &picture;
+    const std::string fault =
+        picture.texture ? "is on faces without texture coordinates" : picture.fault;
+    mesh_.missing.push_back({{},
+                             0,
+                             fmt::format("texture '{}' {}", shown(material.texture), fault),
+                             "put a PNG or JPEG picture there, and export the model with "
+                             "texture coordinates",
+                             {part}});
+    return nullptr;
   }
 
-  std::vector<std::uint8_t> texture_bytes(std::string name) const {
+  std::vector<std::uint8_t> picture_bytes(const std::string& name) {
     if (const aiTexture* embedded = scene_->GetEmbeddedTexture(name.c_str())) {
       if (embedded->mHeight != 0) throw MeshError("is embedded uncompressed; embed PNG or JPEG");
       const auto* first = reinterpret_cast<const std::uint8_t*>(embedded->pcData);
       return {first, first + embedded->mWidth};
     }
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path path = file_.parent_path() / name;
-    std::error_code unknown;
-    if (!std::filesystem::is_regular_file(path, unknown) ||
-        std::filesystem::file_size(path, unknown) > kMaxTextureBytes)
-      throw MeshError("is not there");
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    const std::optional<NamedFile> found = find_named_file(file_.parent_path(), name);
+    if (!found) throw MeshError("is not there");
+    if (found->guessed)
+      mesh_.warnings.push_back(
+          fmt::format("texture '{}' is taken to be {}", shown(name), found->path.string()));
+    return load_picture(found->path);
   }
 
   const std::filesystem::path& file_;
+  const Vector3d stand_in_;
   bool is_3ds_ = false, is_gltf_ = false, coloured_ = false;
   const aiScene* scene_ = nullptr;
   std::vector<Material> materials_;
-  std::map<std::string, std::optional<MeshTexture>> textures_;
-  std::map<const MeshTexture*, std::vector<TexturedTriangle>> textured_;
+  TexturedFaces textured_;
   ColouredMesh mesh_;
 };
 
 }  // namespace
 
-ColouredMesh read_with_assimp(const std::filesystem::path& file) {
-  return AssimpReader(file).read();
+ColouredMesh read_with_assimp(const std::filesystem::path& file, const Vector3d& stand_in) {
+  return AssimpReader(file, stand_in).read();
 }
 
 }  // namespace aspect

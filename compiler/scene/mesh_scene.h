@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "compiler/scene/coloured_mesh.h"
@@ -15,6 +16,8 @@ namespace aspect {
 // number in the file, from "0". A part's name wins over its material's, and that over its number.
 struct MeshColours {
   std::map<std::string, Eigen::Vector3d> by_name;
+  // Stands for every colour that the file names and that is not found; without it that is an error.
+  std::optional<Eigen::Vector3d> missing = std::nullopt;
 };
 
 // One primitive for each piece of surface: triangles of one colour that are joined by edges. Flat
@@ -23,6 +26,7 @@ struct MeshColours {
 // The object is centred on its bounding box and scaled to 0.9 of the radius that fits, seen in
 // ambient light of 1 at 45 degrees with z upwards; Scene::source_from_object leads back.
 // Colours are taken as they are: a picture shows 255 * colour.
+// What a file lacks where a colour by name stands for it is not missed.
 // Fails where nothing is left to be seen, a colour names no part, or a vertex is not finite; the
 // error has no file name in front. O(n log n).
 Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours = {});

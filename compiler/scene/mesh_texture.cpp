@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "compiler/scene/colour_palette.h"
+#include "compiler/scene/srgb.h"
 
 namespace aspect {
 namespace {
@@ -71,6 +72,12 @@ double longest_edge(const TexturedTriangle& triangle) {
   return longest;
 }
 
+Vector3d coloured_by(const TexturedTriangle& triangle, const Vector3d& colour) {
+  if (!triangle.linear_factor) return colour.cwiseProduct(triangle.factor);
+  if (triangle.factor == Vector3d::Ones()) return colour;
+  return srgb_of_linear(linear_of_srgb(colour).cwiseProduct(triangle.factor));
+}
+
 std::array<TexturedTriangle, 4> cut(const TexturedTriangle& whole) {
   std::array<TexturedTriangle, 4> parts = {whole, whole, whole, whole};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -131,8 +138,7 @@ void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangle
       const std::size_t colour = palette.find_or_add(seen.uniform ? seen.mean : seen.commonest);
       std::array<std::uint32_t, 3> corners{};
       for (std::size_t k = 0; k < 3; ++k) corners[k] = add_vertex(mesh, triangle.corners[k]);
-      add_face(mesh, corners, palette.colours()[colour].cwiseProduct(triangle.factor),
-               triangle.part);
+      add_face(mesh, corners, coloured_by(triangle, palette.colours()[colour]), triangle.part);
     }
   }
 }

@@ -26,6 +26,7 @@ struct TexturedTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   std::array<Eigen::Vector2d, 3> uv;
   Eigen::Vector3d factor{1, 1, 1};  // of the texture's colours
+  bool linear_factor = false;       // of their light, not of their values
   std::uint32_t part = 0;
 };
 
