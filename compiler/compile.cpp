@@ -113,8 +113,9 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
 
   const std::vector<GoldenFrame> golden =
       golden_candidates(workshop, subdivision, clusters, classes);
-  WrittenIndex index = write_index({scene, scene_hash, options, subdivision, clusters,
-                                    sphere_classes, classes, types, symmetries, golden});
+  WrittenIndex index =
+      write_index({scene, scene_hash, options, subdivision, clusters, sphere_classes, classes,
+                   types, symmetries, golden, packed_model(scene)});
   statistics.index = index.statistics;
   statistics.seconds.emit = clock.stage_s();
   statistics.seconds.total = clock.total_s();

@@ -68,6 +68,19 @@ flatbuffers::Offset<fb::GoldenFrame> write_golden_frame(flatbuffers::FlatBufferB
       static_cast<std::uint8_t>(golden->regions), static_cast<std::uint8_t>(golden->matched));
 }
 
+flatbuffers::Offset<fb::Model> write_model(flatbuffers::FlatBufferBuilder& builder,
+                                           const IndexContents& contents) {
+  const PackedModel& model = contents.model;
+  if (model.triangles.empty()) return {};
+  const auto vertices = builder.CreateVectorOfStructs(model.vertices);
+  const auto triangles = builder.CreateVectorOfStructs(model.triangles);
+  const auto paints = builder.CreateVectorOfStructs(model.paints);
+  const auto vector = [](const Eigen::Vector3d& v) { return fb::Vector(v.x(), v.y(), v.z()); };
+  const fb::Vector least = vector(model.least), unit = vector(model.unit),
+                   up = vector(contents.scene.studio.up);
+  return fb::CreateModel(builder, &least, &unit, &up, model.error, vertices, triangles, paints);
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const IndexArrays& arrays,
@@ -88,17 +101,17 @@ std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const Index
   const Studio& studio = contents.scene.studio;
   const fb::Extent extent = packed_extent(contents.scene);
   const auto root = fb::CreateClassIndex(
-      builder, index_format_version(v.sensor), 0, builder.CreateString(contents.scene.name),
-      provenance, segmentation, static_cast<fb::Scoring>(options.scoring),
-      static_cast<float>(studio.angle_deg), static_cast<std::uint16_t>(studio.width_px),
-      static_cast<std::uint16_t>(studio.height_px), static_cast<std::uint16_t>(kTypeDimensions),
-      builder.CreateVector(types), builder.CreateVectorOfStructs(arrays.classes),
-      builder.CreateVectorOfStructs(arrays.contours), builder.CreateVectorOfStructs(arrays.scores),
-      builder.CreateVector(arrays.surfaces), builder.CreateVectorOfStructs(arrays.key_views),
+      builder, kIndexFormatVersion, 0, builder.CreateString(contents.scene.name), provenance,
+      segmentation, static_cast<fb::Scoring>(options.scoring), static_cast<float>(studio.angle_deg),
+      static_cast<std::uint16_t>(studio.width_px), static_cast<std::uint16_t>(studio.height_px),
+      static_cast<std::uint16_t>(kTypeDimensions), builder.CreateVector(types),
+      builder.CreateVectorOfStructs(arrays.classes), builder.CreateVectorOfStructs(arrays.contours),
+      builder.CreateVectorOfStructs(arrays.scores), builder.CreateVector(arrays.surfaces),
+      builder.CreateVectorOfStructs(arrays.key_views),
       builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map),
       builder.CreateVectorOfStructs(packed_rotations(contents.symmetries)),
       builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent,
-      write_golden_frame(builder, golden));
+      write_golden_frame(builder, golden), write_model(builder, contents));
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
                                   builder.GetBufferPointer() + builder.GetSize());

@@ -7,6 +7,7 @@
 #include "compiler/aspects/border_classes.h"
 #include "compiler/aspects/symmetry.h"
 #include "compiler/index/class_model.h"
+#include "compiler/index/object_facets.h"
 #include "compiler/scene/scene.h"
 #include "runtime/recognition/golden_frame.h"
 
@@ -23,6 +24,7 @@ struct IndexContents {
   std::span<const TypeAttributes> types;
   Symmetries symmetries{};
   std::span<const GoldenFrame> golden_candidates{};
+  PackedModel model{};
 };
 
 }  // namespace aspect

@@ -1,4 +1,4 @@
-// Mesh files through Assimp: text STL, 3DS, textured PLY.
+// Mesh files through Assimp: text STL, 3DS.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@ namespace aspect {
 namespace {
 
 // Its corners' distance from a common plane, as a share of its size, is more than rounding.
-bool is_warped(const std::vector<Eigen::Vector3d>& quad) {
+bool is_warped(std::span<const Eigen::Vector3d> quad) {
   const Eigen::Vector3d u = quad[2] - quad[0], v = quad[3] - quad[1];
   const double size = std::max(u.norm(), v.norm());
   return std::abs(u.cross(v).normalized().dot(quad[1] - quad[0])) > 1e-6 * size;
@@ -38,6 +38,13 @@ std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex) {
   return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
+std::vector<Triangle> cut_face(std::span<const Eigen::Vector3d> corners) {
+  if (corners.size() == 3) return {{0, 1, 2}};
+  // A warped one is two triangles whichever way it is looked at.
+  if (corners.size() == 4 && is_warped(corners)) return {{0, 1, 2}, {0, 2, 3}};
+  return triangulate(corners);
+}
+
 void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
               const Eigen::Vector3d& colour, std::uint32_t part) {
   if (corners.size() > ColouredMesh::kMaxFaceCorners)
@@ -52,14 +59,7 @@ void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
     if (!polygon.back().allFinite())
       throw MeshError(fmt::format("vertex {} is not finite; export it again", corner));
   }
-  if (corners.size() == 3)
-    return add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
-  // A warped one is two triangles whichever way it is looked at.
-  if (corners.size() == 4 && is_warped(polygon)) {
-    add_triangle(mesh, {corners[0], corners[1], corners[2]}, colour, part);
-    return add_triangle(mesh, {corners[0], corners[2], corners[3]}, colour, part);
-  }
-  for (const auto& [a, b, c] : triangulate(polygon))
+  for (const auto& [a, b, c] : cut_face(polygon))
     add_triangle(mesh, {corners[a], corners[b], corners[c]}, colour, part);
 }
 

@@ -53,8 +53,11 @@ inline const Eigen::Vector3d kUncoloured{0.7, 0.7, 0.7};
 // Throws MeshError past kMaxVertices.
 std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex);
 
-// A face with any number of corners, cut into triangles. Fewer than three corners are nothing.
-// Throws MeshError where a corner is not there or a limit is passed.
+// The triangles of a face with any number of corners, by the places of their corners among its own;
+// none of fewer than three.
+std::vector<std::array<std::uint32_t, 3>> cut_face(std::span<const Eigen::Vector3d> corners);
+
+// A face, cut into triangles. Throws MeshError where a corner is not there or a limit is passed.
 void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
               const Eigen::Vector3d& colour, std::uint32_t part);
 

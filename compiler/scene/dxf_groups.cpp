@@ -28,17 +28,19 @@ std::string_view DxfRecord::text(int code) const {
   return {};
 }
 
+double DxfRecord::number_in(const DxfGroup& group) const {
+  double value = 0;
+  const std::string_view digits =
+      group.value.starts_with('+') ? group.value.substr(1) : group.value;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
+    bad_number(*this, group);
+  return value;
+}
+
 double DxfRecord::number(int code, double otherwise) const {
-  for (const DxfGroup& group : groups) {
-    if (group.code != code) continue;
-    double value = 0;
-    const std::string_view digits =
-        group.value.starts_with('+') ? group.value.substr(1) : group.value;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-      bad_number(*this, group);
-    return value;
-  }
+  for (const DxfGroup& group : groups)
+    if (group.code == code) return number_in(group);
   return otherwise;
 }
 

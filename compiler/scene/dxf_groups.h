@@ -25,6 +25,7 @@ struct DxfRecord {
 
   std::string_view text(int code) const;  // the first of that code, or empty
   double number(int code, double otherwise) const;
+  double number_in(const DxfGroup& group) const;  // one of `groups`
   int whole(int code, int otherwise) const;
   // Groups code, code + 10 and code + 20.
   Eigen::Vector3d point(int code) const;

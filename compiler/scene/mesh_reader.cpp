@@ -35,7 +35,7 @@ std::optional<ColouredMesh> parsed(std::string_view bytes, const std::filesystem
   if (extension == ".off") return parse_off(bytes, stand_in);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);
-  if (extension == ".ply" && !is_textured_ply(bytes)) return parse_ply(bytes);
+  if (extension == ".ply") return parse_ply(bytes, file, stand_in);
   return std::nullopt;
 }
 
@@ -82,17 +82,16 @@ std::string load(const std::filesystem::path& file) {
 }
 
 // Pictures are decoded by libraries that a hostile one may break.
-bool shows_pictures(const std::string& extension) {
-  return extension == ".obj" || is_gltf(extension);
+bool shows_pictures(std::string_view bytes, const std::filesystem::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".obj" || is_gltf(extension) ||
+         (extension == ".ply" && names_textures(bytes));
 }
 
 ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vector3d& stand_in) {
   const std::string bytes = load(file);
-  const auto read = [&] {
-    std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in);
-    return mesh ? std::move(*mesh) : read_with_assimp(file, stand_in);
-  };
-  if (shows_pictures(lower_extension(file))) return read_isolated(read);
+  if (shows_pictures(bytes, file))
+    return read_isolated([&] { return *parsed(bytes, file, stand_in); });
   if (std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in)) return std::move(*mesh);
   return read_isolated([&] { return read_with_assimp(file, stand_in); });
 }

@@ -24,8 +24,8 @@ Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& co
 Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file,
                                         const Eigen::Vector3d& stand_in = kUncoloured);
 
-// A scene from bytes in memory, for formats that this library reads itself: .obj and .gltf (with
-// the files that they name), .glb, .ply, .off, .stl (binary), .dxf. `name` stands for the file in
+// A scene from bytes in memory, for formats that this library reads itself: .obj, .gltf and .ply
+// (with the files that they name), .glb, .off, .stl (binary), .dxf. `name` stands for the file in
 // messages.
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
                          const MeshColours& colours = {});

@@ -8,7 +8,7 @@
 namespace aspect {
 namespace {
 
-constexpr std::size_t kMaxElements = 100, kMaxProperties = 1000;
+constexpr std::size_t kMaxElements = 100, kMaxProperties = 1000, kMaxTextures = 1000;
 
 PlyType type_of(const MeshText& text, std::string_view word) {
   constexpr std::array<std::array<std::string_view, 2>, 8> kNames = {{{"char", "int8"},
@@ -47,11 +47,16 @@ void read_property(const MeshText& text, const std::vector<std::string_view>& wo
   property.type = type_of(text, words[words.size() - 2]);
   property.name = words.back();
   if (property.list) property.count_type = type_of(text, words[2]);
-  constexpr std::array<std::string_view, 7> kTexture = {"s",         "u",        "texture_u", "t",
-                                                        "texture_s", "texcoord", "texnumber"};
-  header.textured = header.textured ||
-                    std::find(kTexture.begin(), kTexture.end(), property.name) != kTexture.end();
   header.elements.back().properties.push_back(std::move(property));
+}
+
+// A name may hold spaces.
+void add_texture(const MeshText& text, std::string_view line, std::string_view first_word,
+                 PlyHeader& header) {
+  if (header.textures.size() == kMaxTextures) text.fail("too many textures; export it again");
+  const auto begin = static_cast<std::size_t>(first_word.data() - line.data());
+  const std::size_t end = line.find_last_not_of(" \t\r") + 1;
+  header.textures.push_back({std::string(line.substr(begin, end - begin)), text.line()});
 }
 
 }  // namespace
@@ -76,11 +81,12 @@ PlyHeader read_ply_header(MeshText& text) {
   if (text.take_line() != "ply") text.fail("does not start with ply; export it again");
   PlyHeader header;
   while (!text.at_end()) {
-    const std::vector<std::string_view> words = words_of(text.take_line());
+    const std::string_view line = text.take_line();
+    const std::vector<std::string_view> words = words_of(line);
     if (words.empty() || words[0] == "obj_info") continue;
     if (words[0] == "end_header") return header;
     if (words[0] == "comment") {
-      header.textured = header.textured || (words.size() > 1 && words[1] == "TextureFile");
+      if (words.size() > 2 && words[1] == "TextureFile") add_texture(text, line, words[2], header);
     } else if (words[0] == "format") {
       read_format(text, words, header);
     } else if (words[0] == "element" && words.size() == 3) {

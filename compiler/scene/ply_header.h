@@ -27,10 +27,16 @@ struct PlyElement {
   std::size_t find(std::initializer_list<std::string_view> names) const;
 };
 
+// `comment TextureFile NAME`.
+struct PlyTexture {
+  std::string name;
+  std::size_t line = 0;
+};
+
 struct PlyHeader {
   enum class Format { text, little_endian, big_endian } format = Format::text;
   std::vector<PlyElement> elements;
-  bool textured = false;
+  std::vector<PlyTexture> textures;  // texnumber counts them from 0
 };
 
 std::size_t bytes_of(PlyType type);

@@ -35,9 +35,7 @@ void TexturedFaces::add(Picture& picture, std::span<const Eigen::Vector3d> corne
     throw MeshError("a face of too many corners; write triangles");
   for (const Eigen::Vector3d& corner : polygon)
     if (!corner.allFinite()) throw MeshError("a vertex is not finite; export it again");
-  std::vector<Triangle> triangles = {{0, 1, 2}};
-  if (polygon.size() > 3) triangles = triangulate(polygon);
-  for (const Triangle& triangle : triangles) {
+  for (const Triangle& triangle : cut_face(polygon)) {
     TexturedTriangle& made = picture.triangles.emplace_back();
     made.part = part;
     made.factor = factor.factor;

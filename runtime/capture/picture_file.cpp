@@ -7,6 +7,7 @@
 
 #include "runtime/capture/decoders.h"
 #include "runtime/capture/mat_frame.h"
+#include "runtime/capture/picture_alpha.h"
 #include "runtime/capture/picture_header.h"
 #include "runtime/capture/stderr_capture.h"
 
@@ -59,16 +60,23 @@ Reading reading_for(SensorKind sensor) {
   return {PixelFormat::bgr8, cv::IMREAD_COLOR};
 }
 
+bool is_frame_of(const cv::Mat& picture, SensorKind sensor) {
+  return reading_for(sensor).flags != cv::IMREAD_UNCHANGED || picture.type() == CV_16UC1;
+}
+
 std::optional<std::string> decode(const std::vector<std::byte>& bytes, SensorKind sensor,
                                   cv::Mat& picture) {
   constexpr const char* kUnreadable =
       "not a picture that can be read; give a PNG, JPEG, BMP, TIFF, WebP or PNM file or a video";
   std::string log;
+  std::optional<std::string> fault;
   try {
     StderrCapture capture;
     const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,
                           const_cast<std::byte*>(bytes.data()));
     picture = cv::imdecode(encoded, reading_for(sensor).flags);
+    if (!picture.empty() && is_frame_of(picture, sensor))
+      fault = blacken_transparent(bytes, picture);
     log = capture.finish();
   } catch (const std::exception&) {
     return kUnreadable;
@@ -76,11 +84,12 @@ std::optional<std::string> decode(const std::vector<std::byte>& bytes, SensorKin
   const std::string_view first_line = std::string_view(log).substr(0, log.find('\n'));
   if (tells_of_damage(log)) return fmt::format("damaged ({}); copy or record it again", first_line);
   if (picture.empty()) return kUnreadable;
-  if (reading_for(sensor).flags == cv::IMREAD_UNCHANGED && picture.type() != CV_16UC1)
+  if (!is_frame_of(picture, sensor))
     return fmt::format(
         "not a {} frame, which has one channel of 16 bits; give a frame of that "
         "sensor, or an index of this one's",
         name_of(sensor));
+  if (fault) return fault;
   return size_fault(picture.cols, picture.rows);
 }
 

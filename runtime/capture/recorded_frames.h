@@ -16,11 +16,12 @@ namespace aspect {
 
 // Frames come in the order of the paths, those of a folder in the order of their names (byte by
 // byte; only files that end like a picture or raw frames; not its subfolders). Colours of every
-// kind become BGR of 8 bits a channel, or grey for a grey sensor; transparency is left out; a
-// photograph is turned as its EXIF data say. Range and surface frames are read as they are; videos
-// hold colours only. A frame keeps within the limits of vision_limits.h. A path, a picture or a
-// video that is no good is one failed frame, and the rest goes on. Not for several threads at once,
-// not even for several sources: see StderrCapture.
+// kind become BGR of 8 bits a channel, or grey for a grey sensor; what is transparent is black,
+// hence background, whatever colour lies under it; a photograph is turned as its EXIF data say.
+// Range and surface frames are read as they are; videos hold colours only. A frame keeps within the
+// limits of vision_limits.h. A path, a picture or a video that is no good is one failed frame, and
+// the rest goes on. Not for several threads at once, not even for several sources: see
+// StderrCapture.
 class RecordedFrames : public FrameSource {
  public:
   // Looks the paths up, but opens nothing. Silences OpenCV's and FFmpeg's logs.

@@ -41,11 +41,9 @@ Problem check_structure(std::span<const std::byte> bytes) {
     return {"is damaged or cut short (its structure does not hold)" + recompile()};
   }
   const fb::ClassIndex* root = fb::GetClassIndex(data);
-  if (root->format_version() != kIndexFormatVersion &&
-      root->format_version() != kSensorFormatVersion)
+  if (root->format_version() != kIndexFormatVersion)
     return {"has format version " + std::to_string(root->format_version()) +
-            ", this runtime reads " + std::to_string(kIndexFormatVersion) + " and " +
-            std::to_string(kSensorFormatVersion) + recompile()};
+            ", this runtime reads " + std::to_string(kIndexFormatVersion) + recompile()};
   const auto* table = reinterpret_cast<const flatbuffers::Table*>(root);
   const std::uint8_t* field = table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM);
   if (field == nullptr ||
@@ -177,8 +175,6 @@ Problem unpack_sensor(const fb::ClassIndex& root, VisionParameters& vision) {
   if (static_cast<std::size_t>(s.sensor()) >= kSensorNames.size())
     return {"was made for a sensor that this runtime does not know" + recompile()};
   vision.sensor = static_cast<SensorKind>(s.sensor());
-  if (root.format_version() != index_format_version(vision.sensor))
-    return {"has a format version that is not its sensor's" + recompile()};
   if (vision.sensor != SensorKind::range) return {};
   const auto is_within = [](float value, float least, float most) {
     return value >= least && value <= most;  // false where it is not a number
@@ -224,6 +220,41 @@ Problem unpack_symmetries(const fb::ClassIndex& root, ClassIndex& index) {
                   {e->max_x(), e->max_y(), e->max_z()},
                   e->diameter(),
                   {e->centre_x(), e->centre_y(), e->centre_z()}};
+  return {};
+}
+
+// Absent where the scene has none.
+Problem unpack_model(const fb::ClassIndex& root, ClassIndex& index) {
+  const fb::Model* m = root.model();
+  if (m == nullptr) return {};
+  const Problem problem{"holds a model that cannot be" + recompile()};
+  const auto& unit = *m->unit();
+  const auto& corner = *m->least();
+  const auto& up = *m->up();
+  if (!all_finite({unit.x(), unit.y(), unit.z(), corner.x(), corner.y(), corner.z(), up.x(), up.y(),
+                   up.z(), m->error()}) ||
+      m->vertices()->size() > kMaxModelVertices || m->triangles()->size() > kMaxModelTriangles ||
+      m->paints()->size() > kMaxModelColours)
+    return problem;
+  PaintedModel painted;
+  for (const fb::ModelVertex* v : *m->vertices())
+    painted.vertices.push_back({corner.x() + unit.x() * v->x(), corner.y() + unit.y() * v->y(),
+                                corner.z() + unit.z() * v->z()});
+  for (const fb::Paint* p : *m->paints())
+    painted.paints.push_back({p->red(), p->green(), p->blue()});
+  for (const fb::ModelTriangle* t : *m->triangles()) {
+    if (std::max({t->a(), t->b(), t->c()}) >= painted.vertices.size() ||
+        t->paint() >= painted.paints.size())
+      return problem;
+    painted.triangles.push_back({{t->a(), t->b(), t->c()}, static_cast<std::uint8_t>(t->paint())});
+  }
+  index.model = prepared_model(painted, index.vision.chroma_step, index.vision.intensity_min);
+  const Vector3d size{up.x(), up.y(), up.z()};
+  if (!(norm(size) > 0) || !(index.model.radius > 0) || !std::isfinite(index.model.radius))
+    return problem;
+  index.model.up = size;
+  index.model.centre = index.extent.centre;
+  index.model.error = m->error();
   return {};
 }
 
@@ -288,7 +319,7 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   ClassIndex index;
   index.file_bytes = bytes.size();
   for (const auto& unpack_part : {unpack_settings, unpack_types, unpack_key_views, unpack_classes,
-                                  unpack_symmetries, unpack_golden_frame}) {
+                                  unpack_symmetries, unpack_model, unpack_golden_frame}) {
     if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
   }
   if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);

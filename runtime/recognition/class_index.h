@@ -12,16 +12,14 @@
 
 #include "runtime/base/result.h"
 #include "runtime/recognition/golden_frame.h"
+#include "runtime/recognition/object_model.h"
 #include "runtime/vision/feature.h"
 #include "runtime/vision/vision_parameters.h"
 
 namespace aspect {
 
-// Version 2 is the same with another sensor, which runtimes of version 1 would not know of.
-inline constexpr std::uint32_t kIndexFormatVersion = 1, kSensorFormatVersion = 2;
-constexpr std::uint32_t index_format_version(SensorKind sensor) {
-  return sensor == SensorKind::colour ? kIndexFormatVersion : kSensorFormatVersion;
-}
+// 3: with a model of the object, and with any sensor.
+inline constexpr std::uint32_t kIndexFormatVersion = 3;
 inline constexpr std::size_t kMaxIndexBytes = 16U << 20U;
 inline constexpr std::size_t kMaxClassContours = 48;
 inline constexpr std::size_t kMaxClasses = 65536;  // a hypothesis names its class in 16 bits
@@ -93,6 +91,7 @@ struct ClassIndex {
   std::vector<std::array<float, 4>> symmetries;
   std::vector<Vector3> symmetry_axes;
   ObjectExtent extent;
+  ObjectModel model;                  // empty: there is none, and no pose
   std::optional<GoldenFrame> golden;  // for self_test.h
 
   template <typename T>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "runtime/base/portable_math.h"
+#include "runtime/recognition/light_estimate.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -13,11 +14,32 @@ namespace {
 // Classes that go on to the fit of their key views.
 constexpr std::size_t kMaxCandidates = 512;
 
+// Key views of a class that are followed where they are seen from elsewhere and fit about as well.
+constexpr std::size_t kMostViews = 3;
+
+CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& index,
+                      const Frame& frame) {
+  const double width = frame.width_px, height = frame.height_px;
+  if (parameters.camera) {
+    CameraModel camera = parameters.camera->model;
+    const double scale = parameters.camera->width_px > 0 ? width / parameters.camera->width_px : 1;
+    camera.fx_px *= scale;
+    camera.fy_px *= scale;
+    camera.cx_px = (camera.cx_px + 0.5) * scale - 0.5;
+    camera.cy_px = (camera.cy_px + 0.5) * scale - 0.5;
+    return camera;
+  }
+  constexpr double kHalf_rad_per_deg = 3.14159265358979323846 / 360;
+  const double focal_px =
+      width / (2 * portable_tan(static_cast<double>(index.field_of_view_deg) * kHalf_rad_per_deg));
+  return {focal_px, focal_px, (width - 1) / 2, (height - 1) / 2};
+}
+
 // The view found is the mean of the key views that fit about as well as the best one of their
 // class and look from near it.
 struct ViewMean {
   static constexpr float kNear_cos = 0.94F;  // 20 degrees
-  static constexpr std::size_t kMaxViews = 64;
+  static constexpr std::size_t kMaxViews = 512;
   std::array<float, kMaxViews> costs{};
   std::array<const KeyView*, kMaxViews> views{};
   std::size_t count = 0;
@@ -42,13 +64,22 @@ struct ViewMean {
     if (!(length > 0)) return best.direction;
     return {sum[0] / length, sum[1] / length, sum[2] / length};
   }
-};
 
-bool better(const Hypothesis& a, const Hypothesis& b) {
-  if (a.score != b.score) return a.score > b.score;
-  if (a.class_score != b.class_score) return a.class_score > b.class_score;
-  return a.index != b.index ? a.index < b.index : a.class_id < b.class_id;
-}
+  // The best of those seen from elsewhere than all of `taken`, null: none.
+  const KeyView* elsewhere(std::span<const KeyView* const> taken, float most_cost) const {
+    const KeyView* best = nullptr;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto is_near = [&](const KeyView* other) {
+        const Vector3 &a = other->direction, &b = views[k]->direction;
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] >= kNear_cos;
+      };
+      if (costs[k] > most_cost || std::any_of(taken.begin(), taken.end(), is_near)) continue;
+      best = views[k];
+      most_cost = costs[k];
+    }
+    return best;
+  }
+};
 
 }  // namespace
 
@@ -65,6 +96,9 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   // A frame has no more external contours than regions, and a hypothesis matches each once.
   contour_matches_ = arena.take<ContourMatch>(kMaxRegions * top);
   objects_ = arena.take<SeenObject>(kMaxBlobs);
+  poses_ = arena.take<VerifiedPose>(kMaxBlobs * PoseSearch::kMostPoses);
+  cameras_ = arena.take<CameraModel>(indexes.size());
+  pose_search_.prepare(arena, indexes);
 }
 
 Recognition Recogniser::recognise(const Frame& frame) noexcept {
@@ -73,20 +107,24 @@ Recognition Recogniser::recognise(const Frame& frame) noexcept {
   Recognition recognition;
   recognition.graph = vision_.run(frame, parameters_.vision);
   const auto seen = Clock::now();
-  hypothesis_count_ = match_count_ = 0;
+  hypothesis_count_ = match_count_ = pose_count_ = 0;
+  pose_time_ = {};
+  for (std::size_t i = 0; i < indexes_.size(); ++i)
+    cameras_[i] = camera_of(parameters_, indexes_[i], frame);
   std::size_t objects = 0;
-  for (const Blob& blob : recognition.graph.blobs)
-    objects_[objects++] = recognise_blob(recognition.graph, blob);
+  for (; objects < recognition.graph.blobs.size(); ++objects)
+    objects_[objects] = recognise_blob(recognition.graph, objects);
   recognition.objects = objects_.first(objects);
   const auto end = Clock::now();
   const VisionTimes& times = vision_.times();
-  recognition.stages = {times.convert,  times.enhance, times.segment,
-                        times.features, end - seen,    {}};
+  recognition.stages = {times.convert,  times.enhance,           times.segment,
+                        times.features, end - seen - pose_time_, pose_time_};
   recognition.elapsed = end - start;
   return recognition;
 }
 
-SeenObject Recogniser::recognise_blob(const ViewGraph& graph, const Blob& blob) {
+SeenObject Recogniser::recognise_blob(const ViewGraph& graph, std::size_t blob_place) {
+  const Blob& blob = graph.blobs[blob_place];
   std::array<ContourFeature, kMaxSide> features;
   std::size_t count = 0;
   const auto contours = graph.contours.subspan(static_cast<std::size_t>(blob.first_contour),
@@ -100,8 +138,16 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, const Blob& blob) 
   const auto seen = std::span<const ContourFeature>(features).first(count);
   std::size_t candidates = shortlist(seen);
   if (parameters_.ranking == RecogniserParameters::Ranking::views) {
-    fit_shortlist(seen, candidates);
+    const std::size_t classes = candidates;
+    candidates = fit_shortlist(seen, classes);
     raise_neighbours(candidates);
+    if (parameters_.poses) find_poses(candidates, blob_place);
+    // Second views were only worth a try.
+    const auto all = candidates_.first(candidates);
+    candidates = static_cast<std::size_t>(
+        std::remove_if(all.begin(), all.end(),
+                       [](const Hypothesis& h) { return h.is_second_view && h.pose == nullptr; }) -
+        all.begin());
   }
   const auto list = candidates_.first(candidates);
   const std::size_t first = hypothesis_count_;
@@ -150,11 +196,14 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
   return count;
 }
 
-// Scores every candidate by its best key view.
-void Recogniser::fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates) {
+// Scores every candidate by its best key view; adds those that are seen from elsewhere and fit
+// about as well, and returns how many there are then.
+std::size_t Recogniser::fit_shortlist(std::span<const ContourFeature> features,
+                                      std::size_t candidates) {
   view_fitter_.set_contours(features);
   constexpr float kGiveUpFactor = 4, kGiveUpLeast = 8;
   float least_cost = std::numeric_limits<float>::infinity();
+  std::size_t count = candidates;
   for (Hypothesis& hypothesis : candidates_.first(candidates)) {
     const ClassIndex& index = indexes_[hypothesis.index];
     const AspectClass& aspect = index.classes[hypothesis.class_id];
@@ -176,10 +225,30 @@ void Recogniser::fit_shortlist(std::span<const ContourFeature> features, std::si
       continue;
     }
     least_cost = std::min(least_cost, best.cost);
-    hypothesis.score = 1 / (1 + static_cast<double>(best.cost));
-    hypothesis.view = mean.about(*best_view, best.cost);
-    hypothesis.roll_rad = best.roll_rad;
+    const auto start_from = [&](Hypothesis& h, const KeyView& view, const ViewFit& fit) {
+      h.score = 1 / (1 + static_cast<double>(fit.cost));
+      h.view = mean.about(view, fit.cost);
+      h.roll_rad = fit.roll_rad;
+      h.start = {view.direction, h.view, fit.roll_rad,
+                 estimate_light(features, ClassIndex::part(index.key_contours, view.contours),
+                                fit.assignment)};
+    };
+    start_from(hypothesis, *best_view, best);
+    constexpr float kAsWell = 1.5F, kSlack = 0.5F;
+    const float most_cost = kAsWell * best.cost + kSlack;
+    std::array<const KeyView*, kMostViews> taken{best_view};
+    for (std::size_t k = 1; k < kMostViews && count < candidates_.size(); ++k) {
+      taken[k] = mean.elsewhere(std::span(taken).first(k), most_cost);
+      if (taken[k] == nullptr) break;
+      Hypothesis& second = candidates_[count++];
+      second = hypothesis;
+      second.is_second_view = true;
+      start_from(second, *taken[k],
+                 view_fitter_.fit(ClassIndex::part(index.key_contours, taken[k]->contours),
+                                  2 * most_cost));
+    }
   }
+  return count;
 }
 
 // The best view is found to a few degrees, so that a class seen from near it may be the right one
@@ -204,6 +273,13 @@ void Recogniser::raise_neighbours(std::size_t candidates) {
   }
 }
 
+void Recogniser::find_poses(std::size_t candidates, std::size_t blob) {
+  const auto start = std::chrono::steady_clock::now();
+  const SeenBlob seen{&vision_.colours(), &vision_.regions(), blob, cameras_};
+  pose_count_ += pose_search_.run(candidates_.first(candidates), seen, poses_.subspan(pose_count_));
+  pose_time_ += std::chrono::steady_clock::now() - start;
+}
+
 // Moves a hypothesis to the result, with the contours that its class matches.
 void Recogniser::report(const Hypothesis& hypothesis, std::span<const ContourFeature> features) {
   const ClassIndex& index = indexes_[hypothesis.index];
@@ -217,6 +293,9 @@ void Recogniser::report(const Hypothesis& hypothesis, std::span<const ContourFea
   }
   Hypothesis& reported = hypotheses_[hypothesis_count_++];
   reported = hypothesis;
+  reported.matched = match.assignment.matched;
+  reported.unmatched = static_cast<int>(features.size()) - reported.matched;
+  reported.class_score = match.score;
   reported.contours = contour_matches_.subspan(first, match_count_ - first);
 }
 

@@ -5,19 +5,31 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "runtime/base/arena.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/class_match.h"
+#include "runtime/recognition/hypothesis.h"
+#include "runtime/recognition/pose_search.h"
 #include "runtime/recognition/view_fit.h"
 #include "runtime/vision/vision.h"
 
 namespace aspect {
 
+// A camera, and the size of the pictures that it was calibrated for; others are taken as scaled.
+struct CalibratedCamera {
+  CameraModel model;
+  int width_px = 0;
+};
+
 struct RecogniserParameters {
   VisionParameters vision;
+
+  // Nothing: each index's own field of view, with the picture's centre as principal point.
+  std::optional<CalibratedCamera> camera;
 
   // How a frame's contours are matched with a class's: as many as possible, or with the largest
   // sum of scores among those (thesis 3.5.1).
@@ -34,25 +46,12 @@ struct RecogniserParameters {
   // views, whose scores lie between 0 and 1.
   double score_min = 0;
 
+  // Poses are found for the best hypotheses; not with ranking by classes.
+  bool poses = true;
+
   // Contours a class may match fewer than the best class and still be fitted, typical 1. More
   // forgives more wrong contour types and costs time.
   int shortlist_slack = 1;
-};
-
-struct ContourMatch {
-  std::uint16_t contour = 0;  // of the frame: index into ViewGraph::contours
-  std::uint16_t name = 0;     // of the class
-};
-
-struct Hypothesis {
-  std::uint16_t index = 0;  // which of the loaded indexes
-  std::uint16_t class_id = 0;
-  double score = 0;                // what the list is ordered by, higher is better
-  double class_score = 0;          // the thesis's, equation 4.2
-  int matched = 0, unmatched = 0;  // of the frame's contours
-  Vector3 view{};                  // unit vector from the object's centre to the camera
-  float roll_rad = 0;              // the frame is turned by this against the key view; views only
-  std::span<const ContourMatch> contours;
 };
 
 struct SeenObject {
@@ -88,10 +87,11 @@ class Recogniser {
   const RegionMap& regions() const { return vision_.regions(); }
 
  private:
-  SeenObject recognise_blob(const ViewGraph& graph, const Blob& blob);
+  SeenObject recognise_blob(const ViewGraph& graph, std::size_t blob_place);
   std::size_t shortlist(std::span<const ContourFeature> features);
-  void fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates);
+  std::size_t fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates);
   void raise_neighbours(std::size_t candidates);
+  void find_poses(std::size_t candidates, std::size_t blob);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 
   std::span<const ClassIndex> indexes_;
@@ -105,6 +105,11 @@ class Recogniser {
   std::size_t hypothesis_count_ = 0, match_count_ = 0;
   ClassMatcher class_matcher_;
   ViewFitter view_fitter_;
+  PoseSearch pose_search_;
+  std::span<CameraModel> cameras_;  // of this frame, for each index
+  std::span<VerifiedPose> poses_;
+  std::size_t pose_count_ = 0;
+  std::chrono::nanoseconds pose_time_{};
 };
 
 }  // namespace aspect

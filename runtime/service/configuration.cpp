@@ -60,15 +60,29 @@ std::optional<Error> read_camera(const toml::table& table, const std::string& fi
   reader.read("fy", {kLeastFocal_px, kMost_px}, fy);
   reader.read("cx", {-kMost_px, kMost_px}, cx);
   reader.read("cy", {-kMost_px, kMost_px}, cy);
+  std::optional<double> k1, k2, p1, p2, k3;
+  const std::array bends{std::pair{"k1", &k1}, std::pair{"k2", &k2}, std::pair{"p1", &p1},
+                         std::pair{"p2", &p2}, std::pair{"k3", &k3}};
+  constexpr double kMostBend = 1e3;
+  for (const auto& [key, value] : bends) reader.read(key, {-kMostBend, kMostBend}, *value);
+  const bool bent = k1 || k2 || p1 || p2 || k3;
   read_capture(reader, capture);
-  if (fx || fy || cx || cy)
+  if (fx || fy || cx || cy || bent)
     for (const std::string_view key : kLens) reader.require(key);
   if (width && !height) reader.require("height");
   if (height && !width) reader.require("width");
   if (auto error = reader.finish()) return error;
   if (width) capture.width_px = *width;
   if (height) capture.height_px = *height;
-  if (fx) configuration.camera = CameraConfiguration{*width, *height, *fx, *fy, *cx, *cy};
+  if (!fx) return std::nullopt;
+  const CameraModel model{
+      *fx,           *fy, *cx, *cy, k1.value_or(0), k2.value_or(0), p1.value_or(0), p2.value_or(0),
+      k3.value_or(0)};
+  if (!is_sound(model, *width, *height))
+    return Error{file +
+                 ": [camera] k1, k2, p1, p2, k3 fold the picture, so that one pixel shows two "
+                 "directions; calibrate again with views that reach the corners, or leave k3 out"};
+  configuration.camera = CameraConfiguration{*width, *height, model};
   return std::nullopt;
 }
 
@@ -159,9 +173,11 @@ void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
 
 void Configuration::apply(RecogniserParameters& parameters) const {
   segmentation.apply(parameters.vision);
-  if (camera)
+  if (camera) {
+    parameters.camera = {camera->model, camera->width_px};
     parameters.vision.range.field_of_view_deg = static_cast<float>(
-        2 * portable_atan(camera->width_px / (2 * camera->fx_px)) * 180 / std::numbers::pi);
+        2 * portable_atan(camera->width_px / (2 * camera->model.fx_px)) * 180 / std::numbers::pi);
+  }
   recognition.apply(parameters);
 }
 

@@ -17,11 +17,9 @@
 
 namespace aspect {
 
-// A pinhole camera in OpenCV's coordinates; pixel centres are at whole numbers.
 struct CameraConfiguration {
   int width_px = 0, height_px = 0;
-  double fx_px = 0, fy_px = 0;  // focal lengths
-  double cx_px = 0, cy_px = 0;  // principal point
+  CameraModel model;
 };
 
 // What a [segmentation] table says; the meanings are those of VisionParameters.

@@ -63,6 +63,25 @@ void put_capture(JsonText& json, const CaptureLabel& capture) {
   json.end_object();
 }
 
+template <typename Numbers>
+void put_numbers(JsonText& json, std::string_view key, const Numbers& numbers) {
+  json.key(key);
+  json.begin_array();
+  for (const auto number : numbers) json.value(static_cast<double>(number));
+  json.end_array();
+}
+
+void put_pose(JsonText& json, const RefinedPose& refined) {
+  const Rotation& q = refined.pose.rotation;
+  json.key("pose");
+  json.begin_object();
+  put_numbers(json, "quaternion", std::array{q.w, q.x, q.y, q.z});
+  put_numbers(json, "translation", refined.pose.translation);
+  put(json, "reprojection_px", static_cast<double>(refined.reprojection_px));
+  put_numbers(json, "covariance", refined.covariance);
+  json.end_object();
+}
+
 void put_hypothesis(JsonText& json, const Hypothesis& hypothesis,
                     std::span<const ClassIndex> indexes) {
   ASPECT_DCHECK(hypothesis.index < indexes.size());
@@ -76,6 +95,7 @@ void put_hypothesis(JsonText& json, const Hypothesis& hypothesis,
   json.begin_array();
   for (const float component : hypothesis.view) json.value(component);
   json.end_array();
+  if (hypothesis.pose != nullptr) put_pose(json, hypothesis.pose->refined);
   json.key("contours");
   json.begin_array();
   for (const ContourMatch& match : hypothesis.contours) {

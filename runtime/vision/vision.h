@@ -35,6 +35,7 @@ class Vision {
 
   // Of the last run: for drawing and for the compiler's surface ids.
   const RegionMap& regions() const { return regions_; }
+  const Planes& colours() const { return colours_; }  // smoothed, within their active part
   const VisionTimes& times() const { return times_; }
   int max_width_px() const { return width_px_; }
   int max_height_px() const { return height_px_; }

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 std::string file_of(const std::string& entities, const std::string& blocks = {}) {
-  return "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nWALL\n62\n-3\n0\nLAYER\n2\nROOF\n62\n1\n420\n"
+  return "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nWALL\n62\n3\n0\nLAYER\n2\nROOF\n62\n1\n420\n"
          "8421504\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n" +
          blocks + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
 }
@@ -125,7 +125,8 @@ TEST_CASE("a solid's corners are in its crossed order") {
 TEST_CASE("what only a modeller understands is a warning, and bad files an error with the line") {
   const ColouredMesh mesh = parse_dxf(file_of(face("8\n0\n") + "0\n3DSOLID\n8\n0\n1\nabc\n"));
   REQUIRE(mesh.warnings.size() == 1);
-  CHECK(mesh.warnings[0] == "3DSOLID is left out; export it as a mesh or as 3DFACEs");
+  CHECK(mesh.warnings[0] ==
+        "left out: 1 3DSOLID; export what of it should be seen as a mesh or as 3DFACEs");
 
   const auto error = [](const std::string& file) {
     try {

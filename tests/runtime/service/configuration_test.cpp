@@ -42,10 +42,10 @@ TEST_CASE("A camera is read") {
   const CameraConfiguration& camera = *configuration.value().camera;
   CHECK(camera.width_px == 640);
   CHECK(camera.height_px == 480);
-  CHECK(camera.fx_px == 686.2);
-  CHECK(camera.fy_px == 686);
-  CHECK(camera.cx_px == 319.5);
-  CHECK(camera.cy_px == -1);
+  CHECK(camera.model.fx_px == 686.2);
+  CHECK(camera.model.fy_px == 686);
+  CHECK(camera.model.cx_px == 319.5);
+  CHECK(camera.model.cy_px == -1);
 }
 
 TEST_CASE("All of segmentation and recognition is applied") {

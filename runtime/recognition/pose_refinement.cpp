@@ -1,0 +1,186 @@
+#include "runtime/recognition/pose_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "runtime/recognition/normal_equations.h"
+
+namespace aspect {
+namespace {
+
+constexpr int kLeastBorders = 6;
+constexpr int kRoundCells = 64, kNearRounds = 2;
+
+// A border found at `distance_px` along the normal, in the straight picture.
+struct FoundBorder {
+  float distance_px = 0;
+  double weight = 1;
+};
+
+std::optional<FoundBorder> find_border(const BorderPoint& point, const CameraModel& camera,
+                                       const SeenColours& seen, float reach_px, bool any_outline) {
+  const Point2d from =
+      camera.bent({static_cast<double>(point.x_px), static_cast<double>(point.y_px)});
+  const Point2d to = camera.bent({static_cast<double>(point.x_px + point.normal_x),
+                                  static_cast<double>(point.y_px + point.normal_y)});
+  const auto x = static_cast<float>(from.x), y = static_cast<float>(from.y);
+  const auto step_x = static_cast<float>(to.x - from.x), step_y = static_cast<float>(to.y - from.y);
+  const int reach = static_cast<int>(reach_px);
+  // Blurred borders leave a pixel or two between the colours that are neither.
+  constexpr int kWidest = 3;
+  constexpr int kNone = -1000;
+  // Beside the border that is looked for, one of the object's outline: a face seen as a sliver is
+  // no region, and its neighbour reaches the outline instead.
+  struct Crossing {
+    int last_inside = kNone;
+    float distance = 1e9F;
+    void see(int t, bool inside, bool outside) {
+      if (inside) {
+        last_inside = t;
+      } else if (outside && last_inside != kNone && t - last_inside <= kWidest) {
+        const float middle = static_cast<float>(t + last_inside) / 2;
+        if (std::abs(middle) < std::abs(distance)) distance = middle;
+        last_inside = kNone;
+      }
+    }
+  };
+  Crossing border, outline;
+  for (int t = -reach - kWidest; t <= reach + kWidest; ++t) {
+    const auto f = static_cast<float>(t);
+    const ColourClass colour = seen.at(x + f * step_x, y + f * step_y);
+    border.see(t, colour == point.inside, colour == point.outside);
+    outline.see(t, colour != kBackgroundClass, colour == kBackgroundClass);
+  }
+  FoundBorder found{border.distance, 1};
+  constexpr double kOutlineWeight = 0.3;
+  if (any_outline && std::abs(found.distance_px) > reach_px && point.outside == kBackgroundClass)
+    found = {outline.distance, kOutlineWeight};
+  const float best = found.distance_px;
+  if (std::abs(best) > reach_px) return std::nullopt;
+
+  // Where the colour is half-way between the two sides.
+  constexpr int kSamples = 6;
+  constexpr float kFirst = -2.5F;
+  std::array<std::array<float, 3>, kSamples> rgb;
+  for (int k = 0; k < kSamples; ++k) {
+    const float t = best + kFirst + static_cast<float>(k);
+    rgb[static_cast<std::size_t>(k)] = seen.rgb(x + t * step_x, y + t * step_y);
+  }
+  std::array<float, 3> change;
+  float square = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    change[c] = rgb[kSamples - 1][c] - rgb[0][c];
+    square += change[c] * change[c];
+  }
+  constexpr float kLeastContrast = 16;
+  if (square < kLeastContrast * kLeastContrast) return found;
+  std::array<float, kSamples> level;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    level[k] = 0;
+    for (std::size_t c = 0; c < 3; ++c) level[k] += change[c] * (rgb[k][c] - rgb[0][c]) / square;
+  }
+  float nearest = 1e9F;
+  for (std::size_t k = 0; k + 1 < kSamples; ++k) {
+    if (level[k] >= 0.5F || level[k + 1] < 0.5F) continue;
+    const float t = kFirst + static_cast<float>(k) + (0.5F - level[k]) / (level[k + 1] - level[k]);
+    if (std::abs(t) < std::abs(nearest)) nearest = t;
+  }
+  if (std::abs(nearest) <= 2.5F) found.distance_px = best + nearest;
+  return found;
+}
+
+struct Measured {
+  std::array<double, 6> slope{};  // of the distance, by turn and shift
+  double distance_px = 0;
+};
+
+// How the point's distance along its normal changes as the object turns about its centre and
+// shifts, both in the camera's coordinates.
+Measured measured(const BorderPoint& point, const RigidPose& pose, const Vector3d& centre,
+                  const CameraModel& camera, float distance_px) {
+  const Vector3d p = pose(point.point_object);
+  const Vector3d arm = pose.rotation(point.point_object - centre);
+  const auto nx = static_cast<double>(point.normal_x) * camera.fx_px,
+             ny = static_cast<double>(point.normal_y) * camera.fy_px;
+  const Vector3d by_place{nx / p[2], ny / p[2], -(nx * p[0] + ny * p[1]) / (p[2] * p[2])};
+  const Vector3d by_turn = cross(arm, by_place);
+  return {{by_turn[0], by_turn[1], by_turn[2], by_place[0], by_place[1], by_place[2]},
+          static_cast<double>(distance_px)};
+}
+
+RigidPose moved(const RigidPose& pose, const Vector3d& centre, const std::array<double, 6>& step) {
+  const Vector3d turn{step[0], step[1], step[2]};
+  const Vector3d place = pose(centre) + Vector3d{step[3], step[4], step[5]};
+  RigidPose next = pose;
+  if (const double angle = norm(turn); angle > 0)
+    next.rotation = turn_about((1 / angle) * turn, angle) * pose.rotation;
+  next.translation = place - next.rotation(centre);
+  return next;
+}
+
+}  // namespace
+
+RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
+                        const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
+                        float reach_px, RefinementScratch& scratch) {
+  RefinedPose refined;
+  refined.pose = start;
+  constexpr float kLeastReach_px = 3;
+  const double size = std::max(model.radius, 1e-12);
+  for (int round = 0; round <= rounds; ++round) {
+    // Only the last one is compared with the picture cell by cell.
+    const int cells = round == rounds ? ModelDrawing::kMostCells : kRoundCells;
+    if (!scratch.drawing.draw(model, refined.pose, camera, box, cells)) return refined;
+    const std::size_t count = find_border_points(model, scratch.drawing, scratch.points);
+    refined.border_points = static_cast<int>(count);
+    refined.borders_found = 0;
+    const float reach = std::max(kLeastReach_px, reach_px);
+    const bool near = round >= rounds - kNearRounds;
+    // Tukey's bound on distances: what lies beyond is another border.
+    const auto bound = static_cast<double>(reach) * 1.2;
+    NormalEquations equations;
+    double squares = 0, weights = 0;
+    for (const BorderPoint& point : std::span(scratch.points).first(count)) {
+      const std::optional<FoundBorder> border = find_border(point, camera, seen, reach, near);
+      if (!border) continue;
+      ++refined.borders_found;
+      const Measured m = measured(point, refined.pose, model.centre, camera, border->distance_px);
+      const double share = m.distance_px / bound;
+      const double inner = std::max(0.0, 1 - share * share),
+                   weight = border->weight * inner * inner;
+      equations.add(m.slope, m.distance_px, weight);
+      squares += weight * m.distance_px * m.distance_px;
+      weights += weight;
+    }
+    refined.reprojection_px = static_cast<float>(std::sqrt(squares / std::max(weights, 1e-9)));
+    if (refined.borders_found < kLeastBorders) return refined;
+    if (round == rounds) {
+      refined.covariance = equations.covariance(squares / std::max(1.0, weights - 6), size);
+      return refined;
+    }
+    // A turn of one counts as a shift by the object's size: what the picture does not say stays.
+    const std::optional<std::array<double, 6>> step = equations.solve(size);
+    if (!step) return refined;
+    refined.pose = moved(refined.pose, model.centre, *step);
+    reach_px *= 0.6F;
+  }
+  return refined;
+}
+
+float agreement(const ModelDrawing& drawing, const CameraModel& camera, const SeenColours& seen) {
+  int either = 0, same = 0;
+  for (int row = 0; row < drawing.height(); ++row)
+    for (int column = 0; column < drawing.width(); ++column) {
+      const ModelDrawing::Cell cell = drawing.cell(column, row);
+      const Point2d p = camera.bent(
+          {static_cast<double>(drawing.x_px(column)), static_cast<double>(drawing.y_px(row))});
+      const ColourClass colour = seen.at(static_cast<float>(p.x), static_cast<float>(p.y));
+      if (cell.colour == kBackgroundClass && colour == kBackgroundClass) continue;
+      ++either;
+      same += seen.shows(cell.colour, static_cast<float>(p.x), static_cast<float>(p.y)) ? 1 : 0;
+    }
+  return either > 0 ? static_cast<float>(same) / static_cast<float>(either) : 0;
+}
+
+}  // namespace aspect

@@ -1,0 +1,40 @@
+// A pose refined against the picture: the borders of the drawn model are looked for along their
+// normals, and Levenberg-Marquardt on SE(3) moves the object so that they meet (Drummond and
+// Cipolla, Real-time visual tracking of complex structures, 2002).
+#pragma once
+
+#include <array>
+
+#include "runtime/recognition/camera_model.h"
+#include "runtime/recognition/model_borders.h"
+#include "runtime/recognition/model_drawing.h"
+#include "runtime/recognition/seen_colours.h"
+
+namespace aspect {
+
+struct RefinedPose {
+  RigidPose pose;
+  int border_points = 0;      // of the drawn model
+  int borders_found = 0;      // of those, with a border of the right colours near by
+  float reprojection_px = 0;  // root mean square of their distances
+  // Of three turns about the camera's axes through the object's centre, in radians, and of its
+  // place, in scene units; row by row.
+  std::array<double, 36> covariance{};
+};
+
+struct RefinementScratch {
+  ModelDrawing drawing;
+  std::array<BorderPoint, kMaxBorderPoints> points{};
+};
+
+// From where `start` shows the object to within about `reach_px`. Nothing is refined where no more
+// than a handful of borders is found. `box` is what the blob fills.
+RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
+                        const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
+                        float reach_px, RefinementScratch& scratch);
+
+// What share of the object and the blob together is as drawn: colours compared cell by cell, 0 to
+// 1. `drawn` is the scratch's drawing of the pose.
+float agreement(const ModelDrawing& drawing, const CameraModel& camera, const SeenColours& seen);
+
+}  // namespace aspect

@@ -1,0 +1,127 @@
+#include "runtime/recognition/pose_search.h"
+
+#include <algorithm>
+#include <array>
+
+namespace aspect {
+namespace {
+
+constexpr std::size_t kMostStarted = 10;
+constexpr int kRounds = 7;
+// Of two that start, or end, so near to each other one is enough.
+constexpr double kSameStart_rad = 0.2, kSamePose_rad = 0.05;
+// A start that explains this much less than the best one is not refined.
+constexpr float kHopeful = 0.7F;
+
+struct Start {
+  Hypothesis* hypothesis = nullptr;
+  RigidPose pose;
+  float agreement = 0;
+};
+
+// Where the camera is, seen from the object.
+Vector3 view_of(const RigidPose& pose, const Vector3d& centre) {
+  const Vector3d towards = inverse(pose.rotation)(-1 * pose(centre));
+  const double length = norm(towards);
+  return {static_cast<float>(towards[0] / length), static_cast<float>(towards[1] / length),
+          static_cast<float>(towards[2] / length)};
+}
+
+std::size_t class_nearest(const ClassIndex& index, const Vector3& view, std::size_t otherwise) {
+  float most = -2;
+  std::size_t nearest = otherwise;
+  for (std::size_t c = 0; c < index.classes.size(); ++c)
+    for (const KeyView& key : ClassIndex::part(index.key_views, index.classes[c].key_views)) {
+      const float near =
+          key.direction[0] * view[0] + key.direction[1] * view[1] + key.direction[2] * view[2];
+      if (near <= most) continue;
+      most = near;
+      nearest = c;
+    }
+  return nearest;
+}
+
+}  // namespace
+
+void PoseSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
+  indexes_ = indexes;
+  finder_.prepare(arena, indexes);
+}
+
+VerifiedPose PoseSearch::verify(const Hypothesis& hypothesis, const RigidPose& pose,
+                                const SeenBlob& blob, int rounds) {
+  return finder_.verify(indexes_[hypothesis.index], pose, hypothesis.start.light,
+                        blob.cameras[hypothesis.index], *blob.regions, *blob.colours,
+                        static_cast<int>(blob.place), rounds);
+}
+
+// Refined, a pose may lie in the aspect beside the one that it started from. Who stood for that one
+// stands for the other then.
+void PoseSearch::name_class(Hypothesis& hypothesis, std::span<Hypothesis> list) const {
+  const auto named = static_cast<std::uint16_t>(
+      class_nearest(indexes_[hypothesis.index], hypothesis.view, hypothesis.class_id));
+  if (named == hypothesis.class_id) return;
+  for (Hypothesis& other : list)
+    if (other.index == hypothesis.index && other.class_id == named && other.pose == nullptr)
+      other.class_id = hypothesis.class_id;
+  hypothesis.class_id = named;
+}
+
+std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
+                            std::span<VerifiedPose> poses) {
+  std::array<Start, kMostStarted> starts;
+  std::size_t count = 0;
+  std::sort(list.begin(), list.end(), better);
+  for (Hypothesis& hypothesis : list) {
+    if (count == starts.size()) break;
+    const ClassIndex& index = indexes_[hypothesis.index];
+    if (index.model.empty() || !(hypothesis.score > 0)) continue;
+    Start start{&hypothesis, finder_.start(index, hypothesis.start, blob.cameras[hypothesis.index],
+                                           blob.regions->blobs[blob.place])};
+    const auto is_near = [&](const Start& other) {
+      return other.hypothesis->index == hypothesis.index &&
+             angle_between_rad(other.pose.rotation, start.pose.rotation) < kSameStart_rad;
+    };
+    const auto known = std::span(starts).first(count);
+    if (std::any_of(known.begin(), known.end(), is_near)) continue;
+    start.agreement = verify(hypothesis, start.pose, blob, 0).agreement;
+    starts[count++] = start;
+  }
+  const std::size_t most = std::min({count, kMostPoses, poses.size()});
+  std::partial_sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(most),
+                    starts.begin() + static_cast<std::ptrdiff_t>(count),
+                    [](const Start& a, const Start& b) {
+                      if (a.agreement != b.agreement) return a.agreement > b.agreement;
+                      return better(*a.hypothesis, *b.hypothesis);
+                    });
+
+  std::size_t found = 0;
+  double least = 1;
+  for (const Start& start : std::span(starts).first(most)) {
+    if (start.agreement < kHopeful * starts[0].agreement) break;
+    VerifiedPose& pose = poses[found];
+    pose = verify(*start.hypothesis, start.pose, blob, kRounds);
+    const auto is_same = [&](const Hypothesis& other) {
+      return other.pose != nullptr && other.index == start.hypothesis->index &&
+             angle_between_rad(other.pose->refined.pose.rotation, pose.refined.pose.rotation) <
+                 kSamePose_rad;
+    };
+    if (std::any_of(list.begin(), list.end(), is_same)) continue;
+    ++found;
+    start.hypothesis->pose = &pose;
+    least = std::min(least, static_cast<double>(pose.agreement));
+  }
+  for (Hypothesis& hypothesis : list) {
+    if (hypothesis.pose == nullptr) {
+      hypothesis.score *= least;
+      continue;
+    }
+    hypothesis.score = static_cast<double>(hypothesis.pose->agreement);
+    hypothesis.view =
+        view_of(hypothesis.pose->refined.pose, indexes_[hypothesis.index].model.centre);
+    name_class(hypothesis, list);
+  }
+  return found;
+}
+
+}  // namespace aspect

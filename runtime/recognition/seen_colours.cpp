@@ -1,0 +1,90 @@
+#include "runtime/recognition/seen_colours.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aspect {
+namespace {
+
+// Largest distance between shares that still names a colour.
+constexpr float kFarthestShare = 0.12F;
+
+bool holds(const Box& box, int x, int y) {
+  return x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height;
+}
+
+float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  float sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
+}  // namespace
+
+std::array<float, 3> lit(const std::array<float, 3>& share, const LightGain& light) {
+  const std::array<float, 3> c{share[0] * light.rgb[0], share[1] * light.rgb[1],
+                               share[2] * light.rgb[2]};
+  const float sum = c[0] + c[1] + c[2];
+  if (!(sum > 0)) return share;
+  return {c[0] / sum, c[1] / sum, c[2] / sum};
+}
+
+void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob,
+                       const ObjectModel& model, const LightGain& light) {
+  regions_ = &regions;
+  colours_ = &colours;
+  class_of_label_[0] = kBackgroundClass;
+  colour_count_ = std::min(model.shares.size(), expected_.size());
+  for (std::size_t k = 0; k < colour_count_; ++k) expected_[k] = lit(model.shares[k], light);
+  for (std::size_t r = 0; r < regions.regions.size(); ++r) {
+    const Region& region = regions.regions[r];
+    class_of_label_[r + 1] = region.blob == blob ? nearest_to(region.mean_rgb) : kBackgroundClass;
+  }
+}
+
+ColourClass SeenColours::nearest_to(const std::array<float, 3>& rgb) const {
+  const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
+  const std::array<float, 3> share{rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
+  ColourClass named = kOther;
+  float nearest = kFarthestShare * kFarthestShare;
+  for (std::size_t k = 0; k < colour_count_; ++k) {
+    const float distance = squared_distance(share, expected_[k]);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    named = static_cast<ColourClass>(k + 1);
+  }
+  return named;
+}
+
+bool SeenColours::shows(ColourClass colour, float x_px, float y_px) const {
+  const ColourClass of_region = at(x_px, y_px);
+  if (of_region == colour) return true;
+  return of_region != kBackgroundClass && colour != kBackgroundClass &&
+         nearest_to(rgb(x_px, y_px)) == colour;
+}
+
+ColourClass SeenColours::at(float x_px, float y_px) const {
+  const int x = static_cast<int>(std::floor(x_px + 0.5F)),
+            y = static_cast<int>(std::floor(y_px + 0.5F));
+  if (!holds(regions_->active, x, y)) return kBackgroundClass;
+  return class_of_label_[regions_->labels[static_cast<std::size_t>(y * regions_->stride_px + x)]];
+}
+
+std::array<float, 3> SeenColours::rgb(float x_px, float y_px) const {
+  const float fx = std::floor(x_px), fy = std::floor(y_px);
+  const float u = x_px - fx, v = y_px - fy;
+  const int x = static_cast<int>(fx), y = static_cast<int>(fy);
+  std::array<float, 3> sum{};
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      if (!holds(colours_->active, x + i, y + j)) continue;
+      const float weight = (i == 0 ? 1 - u : u) * (j == 0 ? 1 - v : v);
+      const std::size_t place = colours_->place(x + i, y + j);
+      sum[0] += weight * static_cast<float>(colours_->red[place]);
+      sum[1] += weight * static_cast<float>(colours_->green[place]);
+      sum[2] += weight * static_cast<float>(colours_->blue[place]);
+    }
+  return sum;
+}
+
+}  // namespace aspect

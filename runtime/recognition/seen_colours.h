@@ -1,0 +1,53 @@
+// A frame as a model's colours: which of them each region is, under the light of the moment.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "runtime/recognition/object_model.h"
+#include "runtime/vision/planes.h"
+#include "runtime/vision/segment.h"
+#include "runtime/vision/vision_limits.h"
+
+namespace aspect {
+
+// How the light's colour changes shares: observed r g b are these times the object's, up to a
+// common factor.
+struct LightGain {
+  std::array<float, 3> rgb{1, 1, 1};
+};
+
+std::array<float, 3> lit(const std::array<float, 3>& share, const LightGain& light);
+
+class SeenColours {
+ public:
+  // No colour of the model: something else.
+  static constexpr ColourClass kOther = 255;
+
+  // Regions outside of the blob count as background.
+  void look(const RegionMap& regions, const Planes& colours, int blob, const ObjectModel& model,
+            const LightGain& light);
+
+  // Of the pixel that holds a point.
+  ColourClass at(float x_px, float y_px) const;
+
+  // Whether the region or the pixel itself has that colour: a region may have grown over a border
+  // between two that are alike.
+  bool shows(ColourClass colour, float x_px, float y_px) const;
+
+  // Mean of the four pixels around a point, by their distance; black outside of what was seen.
+  std::array<float, 3> rgb(float x_px, float y_px) const;
+
+ private:
+  ColourClass nearest_to(const std::array<float, 3>& rgb) const;
+
+  const RegionMap* regions_ = nullptr;
+  const Planes* colours_ = nullptr;
+  std::array<std::array<float, 3>, kMaxModelColours> expected_;  // shares under the light
+  std::size_t colour_count_ = 0;
+  std::array<ColourClass, kMaxRegions + 1> class_of_label_{};
+};
+
+}  // namespace aspect
