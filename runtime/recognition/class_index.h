@@ -69,6 +69,13 @@ struct ObjectExtent {
   std::array<double, 3> centre{};         // that views look at and symmetries turn about
 };
 
+// How likely it is that the object is there where its drawn model agrees with the picture by a:
+// 1 / (1 + exp(slope * (even - a))), measured by the compiler.
+struct Calibration {
+  float slope = 120;
+  float even = 0.965F;  // as likely as not
+};
+
 struct ClassIndex {
   std::string object;
   VisionParameters vision;  // as compiled with
@@ -91,7 +98,8 @@ struct ClassIndex {
   std::vector<std::array<float, 4>> symmetries;
   std::vector<Vector3> symmetry_axes;
   ObjectExtent extent;
-  ObjectModel model;                  // empty: there is none, and no pose
+  ObjectModel model;  // empty: there is none, and no pose
+  Calibration calibration;
   std::optional<GoldenFrame> golden;  // for self_test.h
 
   template <typename T>

@@ -20,7 +20,7 @@ struct ViewStart {
 
 struct VerifiedPose {
   RefinedPose refined;
-  float agreement = 0;  // share of object and blob that is as the model says
+  Agreement agreement;
 };
 
 class PoseFinder {

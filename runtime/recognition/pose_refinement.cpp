@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "runtime/recognition/normal_equations.h"
 
@@ -168,19 +169,38 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
   return refined;
 }
 
-float agreement(const ModelDrawing& drawing, const CameraModel& camera, const SeenColours& seen) {
-  int either = 0, same = 0;
+Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
+                    const SeenColours& seen) {
+  const auto drawn_at = [&](int column, int row) {
+    const bool inside =
+        column >= 0 && row >= 0 && column < drawing.width() && row < drawing.height();
+    return inside ? drawing.cell(column, row).colour : kBackgroundClass;
+  };
+  int either = 0, same = 0, near = 0;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
-      const ModelDrawing::Cell cell = drawing.cell(column, row);
+      const ColourClass drawn = drawing.cell(column, row).colour;
       const Point2d p = camera.bent(
           {static_cast<double>(drawing.x_px(column)), static_cast<double>(drawing.y_px(row))});
-      const ColourClass colour = seen.at(static_cast<float>(p.x), static_cast<float>(p.y));
-      if (cell.colour == kBackgroundClass && colour == kBackgroundClass) continue;
+      const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+      if (drawn == kBackgroundClass && seen.at(x, y) == kBackgroundClass) continue;
       ++either;
-      same += seen.shows(cell.colour, static_cast<float>(p.x), static_cast<float>(p.y)) ? 1 : 0;
+      if (seen.shows(drawn, x, y)) {
+        ++same;
+        continue;
+      }
+      for (const auto& [right, down] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        const ColourClass beside = drawn_at(column + right, row + down);
+        if (beside == drawn || !seen.shows(beside, x, y)) continue;
+        ++near;
+        break;
+      }
     }
-  return either > 0 ? static_cast<float>(same) / static_cast<float>(either) : 0;
+  if (either == 0) return {};
+  const auto share = [&](int count) {
+    return static_cast<float>(count) / static_cast<float>(either);
+  };
+  return {share(same), share(same + near)};
 }
 
 }  // namespace aspect

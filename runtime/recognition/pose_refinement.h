@@ -33,8 +33,13 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
                         const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
                         float reach_px, RefinementScratch& scratch);
 
-// What share of the object and the blob together is as drawn: colours compared cell by cell, 0 to
-// 1. `drawn` is the scratch's drawing of the pose.
-float agreement(const ModelDrawing& drawing, const CameraModel& camera, const SeenColours& seen);
+// What share of the object and the blob together is as drawn, 0 to 1, colours compared cell by
+// cell. Blur eats thin faces and the rims of others, the more the smaller an object is seen:
+// `all_but_rims` takes a cell's neighbours in the drawing for as good.
+struct Agreement {
+  float all = 0, all_but_rims = 0;
+};
+Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
+                    const SeenColours& seen);
 
 }  // namespace aspect

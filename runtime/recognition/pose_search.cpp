@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace aspect {
 namespace {
@@ -10,6 +11,7 @@ constexpr std::size_t kMostStarted = 10;
 constexpr int kRounds = 7;
 // Of two that start, or end, so near to each other one is enough.
 constexpr double kSameStart_rad = 0.2, kSamePose_rad = 0.05;
+constexpr double kSameTurn = 1e-6;
 // A start that explains this much less than the best one is not refined.
 constexpr float kHopeful = 0.7F;
 
@@ -18,6 +20,11 @@ struct Start {
   RigidPose pose;
   float agreement = 0;
 };
+
+// Rims tell poses apart, and count half since blur does as well.
+double score_of(const Agreement& agreement) {
+  return (static_cast<double>(agreement.all) + static_cast<double>(agreement.all_but_rims)) / 2;
+}
 
 // Where the camera is, seen from the object.
 Vector3 view_of(const RigidPose& pose, const Vector3d& centre) {
@@ -39,6 +46,31 @@ std::size_t class_nearest(const ClassIndex& index, const Vector3& view, std::siz
       nearest = c;
     }
   return nearest;
+}
+
+// Of the poses that no view tells apart, the one whose turn is least.
+RigidPose canonical(const RigidPose& pose, const ClassIndex& index) {
+  const Vector3d& centre = index.model.centre;
+  Rotation least = pose.rotation;
+  const auto try_axes = [&](Rotation turn) {
+    for (const Vector3& axis : index.symmetry_axes) {
+      // The turn about the axis that leaves the largest w.
+      const double along = turn.x * static_cast<double>(axis[0]) +
+                           turn.y * static_cast<double>(axis[1]) +
+                           turn.z * static_cast<double>(axis[2]);
+      const double length = std::sqrt(turn.w * turn.w + along * along);
+      if (!(length > 0)) continue;
+      const double c = turn.w / length, s = -along / length;
+      turn = turn * Rotation{c, s * static_cast<double>(axis[0]), s * static_cast<double>(axis[1]),
+                             s * static_cast<double>(axis[2])};
+    }
+    if (std::abs(turn.w) > std::abs(least.w) + kSameTurn) least = turn;
+  };
+  try_axes(pose.rotation);
+  for (const auto& [w, x, y, z] : index.symmetries)
+    try_axes(pose.rotation * Rotation{static_cast<double>(w), static_cast<double>(x),
+                                      static_cast<double>(y), static_cast<double>(z)});
+  return {least, pose(centre) - least(centre)};
 }
 
 }  // namespace
@@ -84,7 +116,7 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
     };
     const auto known = std::span(starts).first(count);
     if (std::any_of(known.begin(), known.end(), is_near)) continue;
-    start.agreement = verify(hypothesis, start.pose, blob, 0).agreement;
+    start.agreement = verify(hypothesis, start.pose, blob, 0).agreement.all;
     starts[count++] = start;
   }
   const std::size_t most = std::min({count, kMostPoses, poses.size()});
@@ -101,6 +133,7 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
     if (start.agreement < kHopeful * starts[0].agreement) break;
     VerifiedPose& pose = poses[found];
     pose = verify(*start.hypothesis, start.pose, blob, kRounds);
+    pose.refined.pose = canonical(pose.refined.pose, indexes_[start.hypothesis->index]);
     const auto is_same = [&](const Hypothesis& other) {
       return other.pose != nullptr && other.index == start.hypothesis->index &&
              angle_between_rad(other.pose->refined.pose.rotation, pose.refined.pose.rotation) <
@@ -109,14 +142,14 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
     if (std::any_of(list.begin(), list.end(), is_same)) continue;
     ++found;
     start.hypothesis->pose = &pose;
-    least = std::min(least, static_cast<double>(pose.agreement));
+    least = std::min(least, score_of(pose.agreement));
   }
   for (Hypothesis& hypothesis : list) {
     if (hypothesis.pose == nullptr) {
       hypothesis.score *= least;
       continue;
     }
-    hypothesis.score = static_cast<double>(hypothesis.pose->agreement);
+    hypothesis.score = score_of(hypothesis.pose->agreement);
     hypothesis.view =
         view_of(hypothesis.pose->refined.pose, indexes_[hypothesis.index].model.centre);
     name_class(hypothesis, list);

@@ -157,7 +157,9 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, std::size_t blob_p
                     better);
   for (const Hypothesis& hypothesis : list.first(reported))
     if (hypothesis.score >= parameters_.score_min) report(hypothesis, seen);
-  return {blob.box, static_cast<int>(count), hypotheses_.subspan(first, hypothesis_count_ - first)};
+  const auto hypotheses = hypotheses_.subspan(first, hypothesis_count_ - first);
+  return {blob.box, static_cast<int>(count),
+          judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses};
 }
 
 // Classes in which about as many contours can be matched as in the best one.

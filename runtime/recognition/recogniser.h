@@ -14,6 +14,7 @@
 #include "runtime/recognition/class_match.h"
 #include "runtime/recognition/hypothesis.h"
 #include "runtime/recognition/pose_search.h"
+#include "runtime/recognition/verdict.h"
 #include "runtime/recognition/view_fit.h"
 #include "runtime/vision/vision.h"
 
@@ -46,6 +47,9 @@ struct RecogniserParameters {
   // views, whose scores lie between 0 and 1.
   double score_min = 0;
 
+  // Probability from which an object is a match.
+  double confidence_min = 0.5;
+
   // Poses are found for the best hypotheses; not with ranking by classes.
   bool poses = true;
 
@@ -57,6 +61,7 @@ struct RecogniserParameters {
 struct SeenObject {
   Box box;
   int regions = 0;
+  Judgement judgement;
   std::span<const Hypothesis> hypotheses;  // best first
 };
 

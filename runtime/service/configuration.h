@@ -40,6 +40,7 @@ struct RecognitionOverrides {
   std::optional<RecogniserParameters::Ranking> ranking;
   std::optional<int> top, shortlist_slack;
   std::optional<double> score_min;
+  std::optional<double> confidence_min;
 
   void apply(RecogniserParameters& parameters) const;
 };

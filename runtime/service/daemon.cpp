@@ -107,7 +107,9 @@ void Daemon::on_frame(const CameraEvent& event) {
   std::array<SeenName, kMaxBlobs> seen;
   std::size_t count = 0;
   for (const SeenObject& object : recognition.objects) {
-    if (object.hypotheses.empty()) continue;
+    const Verdict verdict = object.judgement.verdict;
+    if (object.hypotheses.empty() || verdict == Verdict::unknown || verdict == Verdict::ambiguous)
+      continue;
     const Hypothesis& best = object.hypotheses.front();
     seen[count++] = {setup_->indexes[best.index].object, best.score};
   }

@@ -109,6 +109,32 @@ void put_hypothesis(JsonText& json, const Hypothesis& hypothesis,
   json.end_object();
 }
 
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::match:
+      return "match";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unknown:
+      return "unknown";
+    case Verdict::none:
+      break;
+  }
+  return "";
+}
+
+void put_judgement(JsonText& json, const Judgement& judgement, std::size_t hypotheses) {
+  if (judgement.verdict == Verdict::none) return;
+  put(json, "verdict", name_of(judgement.verdict));
+  put(json, "probability", static_cast<double>(judgement.probability));
+  if (judgement.rival_count == 0) return;
+  json.key("rivals");
+  json.begin_array();
+  for (const std::uint8_t place : judgement.rival_places())
+    if (place < hypotheses) json.value(std::int64_t{place});
+  json.end_array();
+}
+
 void put_object(JsonText& json, const SeenObject& object, std::size_t hypotheses,
                 std::span<const ClassIndex> indexes) {
   json.begin_object();
@@ -118,6 +144,7 @@ void put_object(JsonText& json, const SeenObject& object, std::size_t hypotheses
     json.value(std::int64_t{edge});
   json.end_array();
   put(json, "regions", std::int64_t{object.regions});
+  put_judgement(json, object.judgement, hypotheses);
   json.key("hypotheses");
   json.begin_array();
   for (const Hypothesis& hypothesis : object.hypotheses.first(hypotheses)) {

@@ -26,11 +26,12 @@ The configuration is TOML; whatever is left out has a default, but for indexes.
   indexes = ["NAME.aspect", ...]  files, from the configuration's folder on
   [camera]          device = "/dev/video0", "bus:PLACE" or "serial:NUMBER"; width, height, rate,
                     format = "YUYV"; stall_ms (silence after which it is started anew);
-                    fx, fy, cx, cy (its lens, in pixels)
+                    fx, fy, cx, cy (its lens, in pixels), k1, k2, p1, p2, k3
   [camera.controls] NAME = NUMBER, ... as v4l2-ctl --list-ctrls names them, set in this order
   [segmentation]    region_of_interest = [x, y, width, height]; area_min_px, intensity_min and the
                     others that an index was compiled with
-  [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack
+  [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack,
+                    min_confidence (probability from which an object is a match)
   [output]          stdout = true; and one table for each of
   [output.file]     path, max_mib, keep (older files kept)
   [output.socket]   path

@@ -27,6 +27,7 @@ std::string label_of(std::size_t contour, std::span<const SeenObject> objects) {
 std::string caption_of(const SeenObject& object, std::span<const ClassIndex> indexes) {
   if (object.hypotheses.empty()) return "nothing known";
   const Hypothesis& best = object.hypotheses.front();
+  if (object.judgement.verdict == Verdict::unknown) return "unknown";
   return fmt::format("{} class {} score {:.3g} view {:.2f} {:.2f} {:.2f}",
                      indexes[best.index].object, best.class_id, best.score, best.view[0],
                      best.view[1], best.view[2]);

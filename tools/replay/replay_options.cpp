@@ -21,9 +21,11 @@ is the frame's sequence. On a device: raw frames and binary PPM and PGM pictures
 Values given here win over those of --config, and those over what the index was compiled with.
 
 The output has the keys frame, sequence, width, height, elapsed_ms, stages_ms and objects, the
-largest first: [{box: [x, y, width, height], regions, hypotheses, the best first: [{object, class,
-score, matched, unmatched, view: unit vector from the object's centre to the camera, contours:
-[[number in the frame, name in the class], ...]}]}].
+largest first: [{box: [x, y, width, height], regions, verdict: match, ambiguous (another object
+explains the picture as well) or unknown, probability, rivals: places in hypotheses of what explains
+it as well, hypotheses, the best first: [{object, class, score, matched, unmatched, view: unit vector
+from the object's centre to the camera, pose: {quaternion: [w, x, y, z], translation,
+reprojection_px, covariance}, contours: [[number in the frame, name in the class], ...]}]}].
 
 Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
 failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
@@ -84,6 +86,12 @@ void add_recognition(CLI::App& app, RawOptions& raw) {
          fmt::format("hypotheses for each object seen, 1 to {} [10]", kMaxHypotheses))
       ->check(CLI::Range(1, kMaxHypotheses).description(""))
       ->type_name("N");
+  app.add_option_function<double>(
+         "--min-confidence",
+         [&overrides](double probability) { overrides.confidence_min = probability; },
+         "probability from which an object is a match, 0 to 1 [0.5]")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->type_name("P");
   add_choice<Matching>(app, "--matching", overrides.matching,
                        {{"simple", Matching::simple}, {"weighted", Matching::weighted}},
                        "match most contours, or of those the best scored [weighted]");

@@ -27,7 +27,7 @@ class MadeUp {
     for (Hypothesis& hypothesis : hypotheses_) fill(hypothesis);
     for (std::size_t k = 0; k < objects; ++k) {
       const auto list = std::span(hypotheses_).subspan(k * hypotheses, hypotheses);
-      objects_.push_back({{static_cast<int>(k), 20, 30, 40}, 5, list});
+      objects_.push_back({{static_cast<int>(k), 20, 30, 40}, 5, judgement(list.size()), list});
     }
     recognition_.objects = objects_;
     recognition_.elapsed = std::chrono::nanoseconds(1900001);
@@ -50,6 +50,12 @@ class MadeUp {
   std::span<const ClassIndex> indexes() const { return indexes_; }
 
  private:
+  static Judgement judgement(std::size_t hypotheses) {
+    Judgement judgement{Verdict::ambiguous, 0.5F, {}, 0};
+    if (hypotheses > 1) judgement.rivals[judgement.rival_count++] = 1;
+    return judgement;
+  }
+
   void fill(Hypothesis& hypothesis) {
     std::uniform_real_distribution<float> real(-1, 1);
     hypothesis.index = static_cast<std::uint16_t>(random_() % 2);
@@ -59,9 +65,15 @@ class MadeUp {
     hypothesis.unmatched = static_cast<int>(random_() % 3);
     hypothesis.view = {real(random_), real(random_), real(random_)};
     hypothesis.contours = std::span(contours_).first(random_() % 4);
+    pose_.refined.pose.translation = {0.1, -0.2, 1.5};
+    pose_.refined.reprojection_px = 0.25F;
+    for (std::size_t k = 0; k < 36; ++k)
+      pose_.refined.covariance[k] = static_cast<double>(k) / 1000;
+    if (random_() % 2 == 0) hypothesis.pose = &pose_;
   }
 
   std::mt19937 random_;
+  VerifiedPose pose_;
   std::vector<ClassIndex> indexes_;
   std::vector<ContourMatch> contours_;
   std::vector<Hypothesis> hypotheses_;
@@ -111,10 +123,31 @@ TEST_CASE("Hypotheses read back as they were") {
       REQUIRE(read["contours"].size() == truth.contours.size());
       for (std::size_t k = 0; k < truth.contours.size(); ++k)
         CHECK(read["contours"][k] == names[k]);
-      for (const char* absent : {"verdict", "probability", "pose"})
-        CHECK_FALSE(read.contains(absent));
+      REQUIRE(read.contains("pose") == (truth.pose != nullptr));
+      if (truth.pose == nullptr) continue;
+      const RefinedPose& pose = truth.pose->refined;
+      CHECK(read["pose"]["quaternion"] == json::array({1.0, 0.0, 0.0, 0.0}));
+      CHECK(read["pose"]["translation"].get<Vector3d>() == pose.pose.translation);
+      CHECK(read["pose"]["reprojection_px"] == 0.25);
+      CHECK(read["pose"]["covariance"].get<std::array<double, 36>>() == pose.covariance);
     }
   }
+}
+
+TEST_CASE("A verdict has its probability and its rivals, and is absent where there is none") {
+  const json judged = json::parse(MadeUp(1, 2, 3).line(1 << 16))["objects"][0];
+  CHECK(judged["verdict"] == "ambiguous");
+  CHECK(judged["probability"] == 0.5);
+  CHECK(judged["rivals"] == json::array({1}));
+  const SeenObject silent;
+  Recognition recognition;
+  recognition.objects = std::span(&silent, 1);
+  std::array<char, 4096> buffer;
+  const std::size_t length = write_recognition_json({"f", 0, 1, 1}, recognition, {}, buffer);
+  const json unjudged = json::parse(std::string(buffer.data(), length))["objects"][0];
+  CHECK_FALSE(unjudged.contains("verdict"));
+  CHECK_FALSE(unjudged.contains("probability"));
+  CHECK_FALSE(unjudged.contains("rivals"));
 }
 
 TEST_CASE("A frame in which nothing was seen has an empty list of objects") {
