@@ -7,11 +7,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/mesh_text.h"
@@ -67,6 +69,23 @@ Material material_of(const aiMaterial& source) {
   return material;
 }
 
+// Files as they are on the disk; keeps the names of all that are asked for.
+class NotedFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit NotedFiles(std::set<std::string>& names) : names_(names) {}
+  bool Exists(const char* name) const override {
+    names_.insert(name);
+    return DefaultIOSystem::Exists(name);
+  }
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    names_.insert(name);
+    return DefaultIOSystem::Open(name, mode);
+  }
+
+ private:
+  std::set<std::string>& names_;
+};
+
 class AssimpReader {
  public:
   explicit AssimpReader(const std::filesystem::path& file) : file_(file) {
@@ -77,6 +96,7 @@ class AssimpReader {
 
   ColouredMesh read() {
     Assimp::Importer importer;
+    importer.SetIOHandler(new NotedFiles(files_));  // which the importer then owns
     scene_ = importer.ReadFile(file_.string(), 0);
     if (scene_ == nullptr || scene_->mRootNode == nullptr)
       throw MeshError(
@@ -86,6 +106,7 @@ class AssimpReader {
     add_nodes();
     add_textures();
     if (!coloured_) mesh_.warnings.push_back("holds no colours; all of it is grey");
+    mesh_.files.assign(files_.begin(), files_.end());
     return std::move(mesh_);
   }
 
@@ -201,7 +222,7 @@ class AssimpReader {
     return place->second ? &*place->second : nullptr;
   }
 
-  std::vector<std::uint8_t> texture_bytes(std::string name) const {
+  std::vector<std::uint8_t> texture_bytes(std::string name) {
     if (const aiTexture* embedded = scene_->GetEmbeddedTexture(name.c_str())) {
       if (embedded->mHeight != 0) throw MeshError("is embedded uncompressed; embed PNG or JPEG");
       const auto* first = reinterpret_cast<const std::uint8_t*>(embedded->pcData);
@@ -209,6 +230,7 @@ class AssimpReader {
     }
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::filesystem::path path = file_.parent_path() / name;
+    files_.insert(path.string());
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(path, unknown) ||
         std::filesystem::file_size(path, unknown) > kMaxTextureBytes)
@@ -221,6 +243,7 @@ class AssimpReader {
   bool is_3ds_ = false, is_gltf_ = false, coloured_ = false;
   const aiScene* scene_ = nullptr;
   std::vector<Material> materials_;
+  std::set<std::string> files_;  // all that were asked for
   std::map<std::string, std::optional<MeshTexture>> textures_;
   std::map<const MeshTexture*, std::vector<TexturedTriangle>> textured_;
   ColouredMesh mesh_;

@@ -23,6 +23,7 @@ Result<Scene> parse_bob(std::string_view text, const std::filesystem::path& name
     Scene scene = BobParser(words).parse();
     scene.name = name.stem().string();
     scene.file = name.string();
+    scene.files = sources.noted();
     return scene;
   } catch (const BobError& error) {
     return Error{error.what()};
@@ -33,7 +34,9 @@ Result<Scene> read_bob(const std::filesystem::path& file,
                        const std::vector<std::filesystem::path>& include_path) {
   Result<std::string> text = load_text(file, BobSources::kMaxBytes);
   if (!text.ok()) return Error{fmt::format("{}: {}", file.string(), text.error())};
-  return parse_bob(text.value(), file, include_path);
+  Result<Scene> scene = parse_bob(text.value(), file, include_path);
+  if (scene) scene.value().files.push_back(file.string());
+  return scene;
 }
 
 }  // namespace aspect

@@ -39,6 +39,7 @@ struct ColouredMesh {
   std::vector<std::uint32_t> part_of;                   // by triangle: index into parts
   std::vector<MeshPart> parts;
   std::vector<std::string> warnings;  // without the file's name
+  std::vector<std::string> files;     // beside the mesh's own, that were read or looked for
 };
 
 // Of faces that have none.

@@ -49,6 +49,9 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
   std::string warnings;
   for (const std::string& warning : mesh.warnings) warnings += warning + '\0';
   write_text(descriptor, warnings);
+  std::string files;
+  for (const std::string& file : mesh.files) files += file + '\0';
+  write_text(descriptor, files);
 }
 
 [[noreturn]] void run_child(int descriptor, const std::function<ColouredMesh()>& read) {
@@ -142,6 +145,7 @@ ColouredMesh mesh_in(Answer& answer) {
   for (std::size_t k = 0; k + 1 < names.size(); k += 2)
     mesh.parts.push_back({names[k], names[k + 1]});
   mesh.warnings = answer.texts();
+  mesh.files = answer.texts();
   if (mesh.colours.size() != mesh.triangles.size() || mesh.part_of.size() != mesh.triangles.size())
     fail_broken();
   return mesh;

@@ -75,7 +75,9 @@ ColouredMesh read_triangles(const std::filesystem::path& file) {
 }  // namespace
 
 Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours) {
-  return scene_from(file, colours, [&] { return read_triangles(file); });
+  Result<Scene> scene = scene_from(file, colours, [&] { return read_triangles(file); });
+  if (scene) scene.value().files.push_back(file.string());
+  return scene;
 }
 
 Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file) {

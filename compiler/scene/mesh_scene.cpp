@@ -150,6 +150,7 @@ Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours) {
     if (!vertex.allFinite()) vertex.setZero();  // of no face
   Scene scene;
   scene.warnings = std::move(mesh.warnings);
+  scene.files = std::move(mesh.files);
   scene.studio.ambient = {1, 1, 1};
   std::vector<SurfaceTriangle> triangles = with_surfaces(mesh, scene);
   weld(mesh.vertices, triangles);

@@ -155,6 +155,9 @@ struct Scene {
   // What a store's key hashes: a Bob scene's preprocessed words, normalised; a mesh's digest.
   std::string source;
   SourceFromObject source_from_object;  // of meshes, which are centred and scaled to fit
+  // Every file that was read or looked for, there or not: while what these names hold stays the
+  // same, so does the scene.
+  std::vector<std::string> files;
 };
 
 // Smallest radius of a sphere about the origin that holds every primitive (for cones and rings

@@ -37,13 +37,13 @@ int refuse_usage(const std::string& message) {
 }
 
 // Why the command makes no sense; empty: it does.
-std::string fault_of(const DoctorCommand& command, const PreparedObjects& prepared) {
+std::string fault_of(const DoctorCommand& command, const std::vector<PreparedObject>& prepared) {
   if (command.fix.empty()) return {};
   const std::string extension = lower_extension(command.fix);
-  if (prepared.objects.size() != 1)
+  if (prepared.size() != 1)
     return fmt::format("{}: has {} objects; --fix takes one", command.file,
-                       prepared.objects.size());
-  const PreparedObject& object = prepared.objects.front();
+                       prepared.size());
+  const PreparedObject& object = prepared.front();
   if (extension != ".b" && extension != ".ply")
     return fmt::format("{}: --fix writes .b or .ply; name it so", command.fix);
   if (extension == ".ply" && !is_mesh(object))
@@ -111,11 +111,11 @@ CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command) {
 int run_doctor(const DoctorCommand& command) {
   const auto outcome = prepare_objects(command.file, {});
   if (const auto* error = std::get_if<PreparationError>(&outcome)) return fail(error->message);
-  const auto& prepared = std::get<PreparedObjects>(outcome);
+  const auto& prepared = std::get<std::vector<PreparedObject>>(outcome);
   if (const std::string fault = fault_of(command, prepared); !fault.empty())
     return refuse_usage(fault);
   DoctorReport report{command.file, {}, {}};
-  for (const PreparedObject& object : prepared.objects) {
+  for (const PreparedObject& object : prepared) {
     for (const std::string& warning : object.scene.warnings)
       fmt::print(stderr, "aspectc: warning: {}\n", warning);
     Result<Diagnosis> diagnosis = diagnose(object);
@@ -123,7 +123,7 @@ int run_doctor(const DoctorCommand& command) {
     report.objects.push_back(std::move(diagnosis).value());
   }
   if (!command.fix.empty()) {
-    Result<FixReport> fixed = fix(prepared.objects.front(), command);
+    Result<FixReport> fixed = fix(prepared.front(), command);
     if (!fixed) return fail(fixed.error());
     report.fix = std::move(fixed).value();
   }
