@@ -154,7 +154,8 @@ struct Scene {
   std::vector<std::string> warnings;  // one line each, with file and line
   // What a store's key hashes: a Bob scene's preprocessed words, normalised; a mesh's digest.
   std::string source;
-  SourceFromObject source_from_object;  // of meshes, which are centred and scaled to fit
+  SourceFromObject source_from_object;        // of meshes, which are centred and scaled to fit
+  std::optional<std::size_t> merged_colours;  // of a mesh whose colours were merged: into so many
   // Every file that was read or looked for, there or not: while what these names hold stays the
   // same, so does the scene.
   std::vector<std::string> files;

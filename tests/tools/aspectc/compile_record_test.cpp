@@ -78,9 +78,8 @@ TEST_CASE("names are the same from every folder, and those outside are whole") {
 TEST_CASE("a file that comes, goes or changes changes what is recorded of it, a touch does not") {
   const TemporaryFolder folder;
   folder.write("a.b", "one");
-  const auto before = recorded_files({folder.path() / "a.b", folder.path() / "m.mtl",
-                                      folder.path() / "a.b"},
-                                     folder.path());
+  const auto before = recorded_files(
+      {folder.path() / "a.b", folder.path() / "m.mtl", folder.path() / "a.b"}, folder.path());
   REQUIRE(before.size() == 2);
   CHECK(before[1] == RecordedFile{"m.mtl", kAbsent});
   fs::last_write_time(folder.path() / "a.b", fs::file_time_type::clock::now());

@@ -207,9 +207,10 @@ TEST_CASE(
     "a written project with all of its lines in force is read, but for the choices it offers") {
   std::string text = init_text("a \"quoted\" \\ name.b", scene());
   CHECK(parse_project(text, "p.toml").value().objects[0].scene == "a \"quoted\" \\ name.b");
-  for (const char* line : {"name = \"part\"", "[[light.point]]", "position = [2, 2, 2]",
-                           "colour = [1, 1, 1]", "[[surface]]", "diffuse = [0.8, 0.1, 0.1]",
-                           "ambient = [0.2, 0.8, 0.1]", "[mesh]", "[[object]]"})
+  for (const char* line :
+       {"name = \"part\"", "[[light.point]]", "position = [2, 2, 2]", "colour = [1, 1, 1]",
+        "[[surface]]", "diffuse = [0.8, 0.1, 0.1]", "ambient = [0.2, 0.8, 0.1]",
+        "colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}", "[[object]]"})
     CHECK_THAT(text, Contains(std::string("\n# ") + line + "\n"));
 }
 

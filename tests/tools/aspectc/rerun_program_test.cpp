@@ -59,9 +59,9 @@ class Workplace : public TemporaryFolder {
 
   // At a level that takes no time.
   Outcome run(Words words) const {
-    words.insert(words.end(), {"--level", "1", "--width", "128", "--height", "128", "--progress",
-                               "never", "--small-cluster", "0", "--threshold", "1e9",
-                               "--cluster-threshold", "1e9"});
+    words.insert(words.end(),
+                 {"--level", "1", "--width", "128", "--height", "128", "--progress", "never",
+                  "--small-cluster", "0", "--threshold", "1e9", "--cluster-threshold", "1e9"});
     return run_aspectc(path(), words);
   }
   // Whether it compiled, which it says as it says that it did not.
@@ -143,9 +143,10 @@ std::vector<MeshCase> write_meshes(const Workplace& here) {
              "property float x\nproperty float y\nproperty float z\nproperty float s\n"
              "property float t\nelement face 2\nproperty list uchar int vertex_indices\n"
              "end_header\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 0 1 0 1\n3 0 1 2\n3 0 1 3\n");
-  here.write("mapped.b", std::string(kStudio) + "surface { diffuse 1 1 1 texture { map "
-                                                "\"picture.png\" } }\nsphere { center 0 0 0 "
-                                                "radius .2 }\n");
+  here.write("mapped.b", std::string(kStudio) +
+                             "surface { diffuse 1 1 1 texture { map "
+                             "\"picture.png\" } }\nsphere { center 0 0 0 "
+                             "radius .2 }\n");
   const std::string other = read_file(here.file("other.png"));
   const std::string mtl = cube_mtl().bytes;
   std::string moved = buffer;
@@ -333,13 +334,13 @@ TEST_CASE("of a project's objects those that changed are compiled") {
   REQUIRE(here.run({"two.toml"}).exit_code == 0);
   here.write("two.toml", std::string("# a remark\n") + kTwo);
   const Outcome same = here.run({"two.toml"});
-  CHECK_THAT(same.out, StartsWith("part.aspect: is up to date") &&
-                           Contains("\nblue.aspect: is up to date"));
+  CHECK_THAT(same.out,
+             StartsWith("part.aspect: is up to date") && Contains("\nblue.aspect: is up to date"));
   std::string other = kTwo;
   here.write("two.toml", other.replace(other.find("0.6"), 3, "0.5"));
   const Outcome blue = here.run({"two.toml", "--no-store"});
-  CHECK_THAT(blue.out, StartsWith("part.aspect: is up to date") &&
-                           Contains("\nblue.aspect: ") && Contains("classes cover"));
+  CHECK_THAT(blue.out, StartsWith("part.aspect: is up to date") && Contains("\nblue.aspect: ") &&
+                           Contains("classes cover"));
   CHECK(here.compiles({"two.toml", "--combined", "true", "--no-store"}));
   CHECK_FALSE(here.compiles({"two.toml", "--combined", "true", "--no-store"}));
   here.write("two.toml", kTwo);

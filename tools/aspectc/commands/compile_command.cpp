@@ -69,10 +69,11 @@ void print_unchanged(const PlannedIndex& index, const CompileRecord& record) {
     for (const RecordedFile& file : object.inputs)
       if (file.hash != kAbsent) files.insert(file.name);
   }
-  fmt::print("{}: is up to date, since {} and the options are as they were; --force compiles all "
-             "the same\n",
-             index.output.native(),
-             files.size() == 1 ? *files.begin() : fmt::format("its {} files", files.size()));
+  fmt::print(
+      "{}: is up to date, since {} and the options are as they were; --force compiles all "
+      "the same\n",
+      index.output.native(),
+      files.size() == 1 ? *files.begin() : fmt::format("its {} files", files.size()));
 }
 
 Result<PreparedIndex> prepare_index(const PlannedIndex& planned, const RunStart& start) {

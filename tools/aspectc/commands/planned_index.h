@@ -35,13 +35,11 @@ RunStart start_run();
 
 // The record beside the index, if the index, all that it was made from, the options and this
 // program are what they were, and a store that is wanted is there.
-std::optional<CompileRecord> unchanged_record(const PlannedIndex& index,
-                                              const RunStart& start);
+std::optional<CompileRecord> unchanged_record(const PlannedIndex& index, const RunStart& start);
 
 // The record of a part whose scene has just been read. Nothing where a file may have changed since
 // the start: what it held while it was read is then not known.
 std::optional<RecordedObject> record_of(const PlannedPart& part, const PreparedObject& prepared,
-                                        const std::filesystem::path& index,
-                                        const RunStart& start);
+                                        const std::filesystem::path& index, const RunStart& start);
 
 }  // namespace aspect

@@ -82,11 +82,11 @@ std::string surface_lines(const Scene& scene) {
   return text;
 }
 
-constexpr std::string_view kMesh = R"(
-# Colours for the parts of a mesh that has none, by their number from 0.
-# [mesh]
-# colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}
+constexpr std::string_view kPartColours =
+    "# Colours for the parts of a mesh that has none, by their number from 0.\n"
+    "# colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}\n";
 
+constexpr std::string_view kObjects = R"(
 # Several objects: leave scene out above and name each here. All of the tables above hold for every
 # object; those of an object, written [object.subdivision] and so on, win over them.
 # [[object]]
@@ -113,12 +113,13 @@ std::string init_text(const std::string& scene_file, const Scene& scene) {
   for (const Option& option : compile_option_table()) {
     if (option.text.table != table) {
       if (table == "light") text += lamp_lines(scene);
+      if (table == "mesh") text += kPartColours;
       table = option.text.table;
       text += fmt::format("\n[{}]\n", table);
     }
     text += option_lines(option, settings);
   }
-  return text + surface_lines(scene) + std::string(kMesh);
+  return text + surface_lines(scene) + std::string(kObjects);
 }
 
 }  // namespace aspect

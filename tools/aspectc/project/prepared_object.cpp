@@ -32,9 +32,9 @@ std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesyste
     if (object.name.empty()) object.name = object.scene.stem().string();
     for (const ProjectObject& other : planned.objects)
       if (other.name == object.name)
-        return PreparationError{fmt::format(
-            "{}: two objects are called {}; give one of them another name", file.native(),
-            object.name)};
+        return PreparationError{
+            fmt::format("{}: two objects are called {}; give one of them another name",
+                        file.native(), object.name)};
     planned.combined = object.settings.combined;
     CompileOptions& options = object.settings.options;
     options.min_level = std::min(options.min_level, options.level);
@@ -44,10 +44,20 @@ std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesyste
   return planned;
 }
 
+MeshColours mesh_colours_of(const MeshSettings& mesh) {
+  MeshColours colours;
+  for (const auto& [part, colour] : mesh.colours)
+    colours.by_name.emplace(std::to_string(part), colour);
+  if (mesh.merge_colours) colours.merged = static_cast<std::size_t>(*mesh.merge_colours);
+  return colours;
+}
+
 Result<PreparedObject> prepare_object(const ProjectObject& object) {
-  SceneReading reading;
-  for (const auto& [part, colour] : object.settings.mesh.colours)
-    reading.colours.by_name.emplace(std::to_string(part), colour);
+  if (object.settings.mesh.merge_colours && lower_extension(object.scene) == ".b")
+    return Error{object.scene.native() +
+                 ": is a Bob scene, and colours are merged of meshes alone; leave merge_colours "
+                 "out, or name its surfaces' colours with [[surface]]"};
+  const SceneReading reading{{}, mesh_colours_of(object.settings.mesh)};
   Result<Scene> scene = read_scene(object.scene, reading);
   if (!scene) return Error{scene.error()};
   PreparedObject prepared{object.scene, std::move(scene).value(), object.settings};

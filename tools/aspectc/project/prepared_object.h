@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/scene/mesh_scene.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
 #include "tools/aspectc/options/compile_settings.h"
@@ -36,6 +37,8 @@ struct PreparationError {
 // flags are a fault of usage and told apart.
 std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesystem::path& file,
                                                             std::span<const GivenFlag> flags);
+
+MeshColours mesh_colours_of(const MeshSettings& mesh);
 
 // Reads the scene.
 Result<PreparedObject> prepare_object(const ProjectObject& object);

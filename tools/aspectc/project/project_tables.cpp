@@ -47,7 +47,6 @@ ProjectTables::ProjectTables(TableReader& reader, std::string file, std::string 
     if (tables_.empty() || tables_.back().name != option.text.table)
       tables_.push_back({option.text.table, reader.table(option.text.table)});
   surfaces_ = reader.tables("surface");
-  mesh_ = reader.table("mesh");
 }
 
 std::optional<Error> ProjectTables::read(CompileSettings& settings) const {
@@ -55,8 +54,7 @@ std::optional<Error> ProjectTables::read(CompileSettings& settings) const {
     if (named.table == nullptr) continue;
     if (auto error = read_table(named, settings)) return error;
   }
-  if (auto error = read_surfaces(settings)) return error;
-  return mesh_ != nullptr ? read_mesh(settings.mesh) : std::nullopt;
+  return read_surfaces(settings);
 }
 
 std::optional<Error> ProjectTables::read_table(const Named& named,
@@ -71,8 +69,10 @@ std::optional<Error> ProjectTables::read_table(const Named& named,
   }
   std::vector<const toml::table*> lamps;
   if (named.name == "light") lamps = reader.tables("point");
+  const toml::table* part_colours = named.name == "mesh" ? reader.table("colours") : nullptr;
   if (named.name == "segmentation") pass_over_frame_keys(reader);
   if (auto error = reader.finish()) return error;
+  if (auto error = read_part_colours(part_colours, settings.mesh)) return error;
   return read_lamps(lamps, settings.light);
 }
 
@@ -117,13 +117,11 @@ std::optional<Error> ProjectTables::read_surfaces(CompileSettings& settings) con
   return std::nullopt;
 }
 
-std::optional<Error> ProjectTables::read_mesh(MeshSettings& mesh) const {
-  TableReader reader(*mesh_, file_, prefix_ + "mesh");
-  const toml::table* colours = reader.table("colours");
-  if (auto error = reader.finish()) return error;
-  if (colours == nullptr) return std::nullopt;
-  TableReader colour_reader(*colours, file_, prefix_ + "mesh.colours");
-  for (const auto& [key, node] : *colours) {
+std::optional<Error> ProjectTables::read_part_colours(const toml::table* table,
+                                                      MeshSettings& mesh) const {
+  if (table == nullptr) return std::nullopt;
+  TableReader colour_reader(*table, file_, prefix_ + "mesh.colours");
+  for (const auto& [key, node] : *table) {
     const auto part = part_number(key.str());
     const auto colour = read_vector(colour_reader, key.str(), kColourRange);
     if (!part)

@@ -28,8 +28,8 @@ std::string settings_text(const CompileSettings& settings) {
   for (const Option& option : compile_option_table()) {
     if (option.text.table == "run") continue;
     if (const auto value = option.get(settings))
-      text += fmt::format("{} {} {}\n", option.text.table, option.text.key,
-                          toml_text(option, *value));
+      text +=
+          fmt::format("{} {} {}\n", option.text.table, option.text.key, toml_text(option, *value));
   }
   for (const LampSettings& lamp : settings.light.lamps)
     text += fmt::format("lamp {} {} {}\n", words_of(lamp.position), words_of(lamp.colour),
