@@ -10,25 +10,21 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <optional>
 #include <set>
 
-#include "compiler/scene/ear_clipping.h"
+#include "compiler/scene/bob_sources.h"
 #include "compiler/scene/mesh_text.h"
-#include "compiler/scene/mesh_texture.h"
+#include "compiler/scene/named_file.h"
 #include "compiler/scene/scene_reader.h"
+#include "compiler/scene/tds_materials.h"
+#include "compiler/scene/textured_faces.h"
 
 namespace aspect {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-// Borders in textures are jagged by this share of the object's size: 3 pixels of 512.
-constexpr double kLeastEdge = 0.01;
-constexpr std::uintmax_t kMaxTextureBytes = std::uintmax_t{256} << 20;
 
 Eigen::Affine3d affine(const aiMatrix4x4& m) {
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
@@ -46,6 +42,10 @@ Vector3d colour_of(const aiColor4D& colour) {
   return {channel(colour.r), channel(colour.g), channel(colour.b)};
 }
 
+constexpr std::size_t kMax3dsBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostTold = 100;
+constexpr const char* kNo3dsMaterial = "%%%DEFAULT";
+
 struct Material {
   std::string name, texture;
   Vector3d colour = kUncoloured;
@@ -59,6 +59,7 @@ Material material_of(const aiMaterial& source) {
   if (source.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS) material.name = text.C_Str();
   aiColor4D colour;
   material.coloured = material.name != AI_DEFAULT_MATERIAL_NAME &&
+                      material.name != kNo3dsMaterial &&
                       source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
   if (material.coloured) material.colour = colour_of(colour);
   if (source.GetTexture(aiTextureType_DIFFUSE, 0, &text) == aiReturn_SUCCESS)
@@ -88,15 +89,15 @@ class NotedFiles : public Assimp::DefaultIOSystem {
 
 class AssimpReader {
  public:
-  explicit AssimpReader(const std::filesystem::path& file) : file_(file) {
-    const std::string extension = lower_extension(file);
-    is_3ds_ = extension == ".3ds";
-    is_gltf_ = extension == ".gltf" || extension == ".glb";
+  AssimpReader(const std::filesystem::path& file, const Vector3d& stand_in)
+      : file_(file), stand_in_(stand_in) {
+    is_3ds_ = lower_extension(file) == ".3ds";
   }
 
   ColouredMesh read() {
     Assimp::Importer importer;
     importer.SetIOHandler(new NotedFiles(files_));  // which the importer then owns
+    find_undefined_materials();
     scene_ = importer.ReadFile(file_.string(), 0);
     if (scene_ == nullptr || scene_->mRootNode == nullptr)
       throw MeshError(
@@ -104,13 +105,26 @@ class AssimpReader {
     for (unsigned k = 0; k < scene_->mNumMaterials; ++k)
       materials_.push_back(material_of(*scene_->mMaterials[k]));
     add_nodes();
-    add_textures();
-    if (!coloured_) mesh_.warnings.push_back("holds no colours; all of it is grey");
-    mesh_.files.assign(files_.begin(), files_.end());
+    textured_.add_to(mesh_);
+    warn_of_uncoloured(mesh_, uncoloured_, faces_);
+    mesh_.files.insert(mesh_.files.end(), files_.begin(), files_.end());
     return std::move(mesh_);
   }
 
  private:
+  // Assimp gives what has them a material of its own.
+  void find_undefined_materials() {
+    if (!is_3ds_) return;
+    const Result<std::string> bytes = load_text(file_, kMax3dsBytes);
+    if (!bytes) throw MeshError(bytes.error());
+    for (const std::string& name : undefined_tds_materials(bytes.value())) {
+      if (undefined_.size() == kMostTold) break;
+      undefined_.push_back(mesh_.missing.size());
+      mesh_.missing.push_back(
+          {{}, 0, fmt::format("material '{}' is not defined", shown(name)), "export it with it"});
+    }
+  }
+
   void add_nodes() {
     // Assimp turns 3DS files, in which z points upwards, so that y does.
     Eigen::Affine3d file_from_root = Eigen::Affine3d::Identity();
@@ -129,9 +143,8 @@ class AssimpReader {
   }
 
   void add_mesh(const aiMesh& source, const aiNode& node, const Eigen::Affine3d& placed) {
-    static const Material kPlain;
-    const Material& material =
-        source.mMaterialIndex < materials_.size() ? materials_[source.mMaterialIndex] : kPlain;
+    Material material;
+    if (source.mMaterialIndex < materials_.size()) material = materials_[source.mMaterialIndex];
     const auto part = static_cast<std::uint32_t>(mesh_.parts.size());
     const char* name = source.mName.length > 0 ? source.mName.C_Str() : node.mName.C_Str();
     mesh_.parts.push_back({name, material.name});
@@ -141,17 +154,25 @@ class AssimpReader {
       add_vertex(mesh_, placed * Vector3d(static_cast<double>(v.x), static_cast<double>(v.y),
                                           static_cast<double>(v.z)));
     }
-    const MeshTexture* texture =
-        source.HasTextureCoords(material.uv_channel) ? texture_of(material) : nullptr;
-    coloured_ = coloured_ || material.coloured || texture != nullptr || source.HasVertexColors(0);
+    const bool has_uv = source.HasTextureCoords(material.uv_channel);
+    TexturedFaces::Picture* picture = picture_of(material, has_uv, part);
+    if (picture == nullptr && !material.texture.empty()) material.colour = stand_in_;
+    if (!undefined_.empty() && material.name == kNo3dsMaterial) {
+      material.colour = stand_in_;
+      for (const std::size_t missing : undefined_) mesh_.missing[missing].parts.push_back(part);
+    }
+    const bool coloured = !undefined_.empty() || material.coloured || !material.texture.empty() ||
+                          source.HasVertexColors(0);
     for (unsigned k = 0; k < source.mNumFaces; ++k) {
       const aiFace& face = source.mFaces[k];
       if (face.mNumIndices < 3) continue;
+      ++faces_;
+      if (!coloured) ++uncoloured_;
       for (unsigned c = 0; c < face.mNumIndices; ++c)
         if (face.mIndices[c] >= source.mNumVertices)
           throw MeshError("a face has a vertex that is not there; export it again");
-      if (texture != nullptr)
-        add_textured_face(source, face, first, material, *texture, part);
+      if (picture != nullptr)
+        add_textured_face(source, face, first, material, *picture, part);
       else
         add_plain_face(source, face, first, material, part);
     }
@@ -167,92 +188,73 @@ class AssimpReader {
         mean += colour_of(source.mColors[0][face.mIndices[c]]) / face.mNumIndices;
     }
     Vector3d colour = material.colour;
-    if (source.HasVertexColors(0))
-      colour = is_gltf_ && material.coloured ? mean.cwiseProduct(colour).eval() : mean;
+    if (source.HasVertexColors(0)) colour = mean;
     add_face(mesh_, corners, colour, part);
   }
 
   void add_textured_face(const aiMesh& source, const aiFace& face, std::uint32_t first,
-                         const Material& material, const MeshTexture& texture, std::uint32_t part) {
-    std::vector<Vector3d> polygon;
+                         const Material& material, TexturedFaces::Picture& picture,
+                         std::uint32_t part) {
+    std::vector<Vector3d> places;
+    std::vector<Vector2d> uv;
     for (unsigned c = 0; c < face.mNumIndices; ++c) {
-      polygon.push_back(mesh_.vertices[first + face.mIndices[c]]);
-      if (!polygon.back().allFinite() || polygon.size() > ColouredMesh::kMaxFaceCorners)
-        throw MeshError("a face has a vertex that is not finite, or too many; export it again");
+      const aiVector3D& at = source.mTextureCoords[material.uv_channel][face.mIndices[c]];
+      places.push_back(mesh_.vertices[first + face.mIndices[c]]);
+      uv.emplace_back(static_cast<double>(at.x), static_cast<double>(at.y));
     }
-    std::vector<Triangle> triangles = {{0, 1, 2}};
-    if (polygon.size() > 3) triangles = triangulate(polygon);
-    for (const Triangle& corners : triangles) {
-      TexturedTriangle triangle;
-      triangle.part = part;
-      // Many writers leave the colour beside a texture black.
-      if (!material.colour.isZero() && material.coloured) triangle.factor = material.colour;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const aiVector3D& uv =
-            source.mTextureCoords[material.uv_channel][face.mIndices[corners[k]]];
-        triangle.corners[k] = polygon[corners[k]];
-        triangle.uv[k] = {static_cast<double>(uv.x), static_cast<double>(uv.y)};
-      }
-      textured_[&texture].push_back(triangle);
-    }
+    PictureFactor factor;
+    // Many writers leave the colour beside a texture black.
+    if (!material.colour.isZero() && material.coloured) factor.factor = material.colour;
+    TexturedFaces::add(picture, places, uv, factor, part);
   }
 
-  // In the order of the textures' names.
-  void add_textures() {
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& vertex : mesh_.vertices) box.extend(vertex);
-    const double least_edge = kLeastEdge * (box.isEmpty() ? 1 : box.diagonal().norm());
-    for (const auto& [name, texture] : textures_)
-      if (const auto found = textured_.find(&*texture); texture && found != textured_.end())
-        add_textured(mesh_, found->second, *texture, least_edge);
-  }
-
-  // Null where the material has none, or one that cannot be read: a warning.
-  const MeshTexture* texture_of(const Material& material) {
+  // Null where the material has none, or one that is not there: that is told.
+  TexturedFaces::Picture* picture_of(const Material& material, bool has_uv, std::uint32_t part) {
     if (material.texture.empty()) return nullptr;
-    const auto [place, added] = textures_.try_emplace(material.texture);
-    if (added) {
-      try {
-        place->second = decode_texture(texture_bytes(material.texture));
-      } catch (const MeshError& error) {
-        mesh_.warnings.push_back(fmt::format("texture '{}' {}; the material's colour is used",
-                                             shown(material.texture), error.what()));
-      }
-    }
-    return place->second ? &*place->second : nullptr;
+    TexturedFaces::Picture& picture =
+        textured_.picture(material.texture, [&] { return picture_bytes(material.texture); });
+    if (picture.texture && has_uv) return &picture;
+    const std::string fault =
+        picture.texture ? "is on faces without texture coordinates" : picture.fault;
+    mesh_.missing.push_back({{},
+                             0,
+                             fmt::format("texture '{}' {}", shown(material.texture), fault),
+                             "put a PNG or JPEG picture there, and export the model with "
+                             "texture coordinates",
+                             {part}});
+    return nullptr;
   }
 
-  std::vector<std::uint8_t> texture_bytes(std::string name) {
+  std::vector<std::uint8_t> picture_bytes(const std::string& name) {
     if (const aiTexture* embedded = scene_->GetEmbeddedTexture(name.c_str())) {
       if (embedded->mHeight != 0) throw MeshError("is embedded uncompressed; embed PNG or JPEG");
       const auto* first = reinterpret_cast<const std::uint8_t*>(embedded->pcData);
       return {first, first + embedded->mWidth};
     }
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path path = file_.parent_path() / name;
-    files_.insert(path.string());
-    std::error_code unknown;
-    if (!std::filesystem::is_regular_file(path, unknown) ||
-        std::filesystem::file_size(path, unknown) > kMaxTextureBytes)
-      throw MeshError("is not there");
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    const std::optional<NamedFile> found = find_named_file(file_.parent_path(), name, mesh_.files);
+    if (!found) throw MeshError("is not there");
+    if (found->guessed)
+      mesh_.warnings.push_back(
+          fmt::format("texture '{}' is taken to be {}", shown(name), found->path.string()));
+    return load_picture(found->path);
   }
 
   const std::filesystem::path& file_;
-  bool is_3ds_ = false, is_gltf_ = false, coloured_ = false;
+  const Vector3d stand_in_;
+  bool is_3ds_ = false;
   const aiScene* scene_ = nullptr;
+  std::size_t faces_ = 0, uncoloured_ = 0;
   std::vector<Material> materials_;
-  std::set<std::string> files_;  // all that were asked for
-  std::map<std::string, std::optional<MeshTexture>> textures_;
-  std::map<const MeshTexture*, std::vector<TexturedTriangle>> textured_;
+  std::set<std::string> files_;         // all that the importer asked for
+  std::vector<std::size_t> undefined_;  // materials; places in mesh_.missing
+  TexturedFaces textured_;
   ColouredMesh mesh_;
 };
 
 }  // namespace
 
-ColouredMesh read_with_assimp(const std::filesystem::path& file) {
-  return AssimpReader(file).read();
+ColouredMesh read_with_assimp(const std::filesystem::path& file, const Vector3d& stand_in) {
+  return AssimpReader(file, stand_in).read();
 }
 
 }  // namespace aspect

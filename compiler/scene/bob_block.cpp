@@ -44,7 +44,7 @@ void BobBlock::vector(std::string_view name, Eigen::Vector3d& value) {
 
 Eigen::Vector3d read_color(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
                            const BobWord& name) {
-  const Eigen::Vector3d color = numbers.vector();
+  const Eigen::Vector3d color = numbers.color();
   if (color.minCoeff() < 0 || color.maxCoeff() > 1) {
     warnings.add(words, name,
                  fmt::format("{} {:g} {:g} {:g} is out of 0..1; write parts of 1", name.text,

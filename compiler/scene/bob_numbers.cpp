@@ -14,6 +14,8 @@
 #include <string>
 #include <system_error>
 
+#include "runtime/base/nearest_word.h"
+
 namespace aspect {
 namespace {
 
@@ -80,6 +82,13 @@ Eigen::Vector3d BobNumbers::vector() {
   if (!value.is_vector) value = sum(completed(value), Position::kAlone);
   if (!value.is_vector) words_.fail(first, "a number in place of a vector; write three numbers");
   return in_range(value, first).vector;
+}
+
+Eigen::Vector3d BobNumbers::color() {
+  in_color_ = true;
+  const Eigen::Vector3d color = vector();
+  in_color_ = false;
+  return color;
 }
 
 std::variant<double, Eigen::Vector3d> BobNumbers::number_or_vector() {
@@ -166,6 +175,7 @@ BobNumbers::Value BobNumbers::primary() {
     if (is_not_finite_name(word.text)) {
       words_.fail(word, fmt::format("{} is not a finite number; write a finite one", quoted(word)));
     }
+    if (in_color_ && word.kind == BobWord::Kind::kName) return missing_color(word);
     words_.fail(word, fmt::format("{} in place of a number; write a number", quoted(word)));
   }
   if (depth_ == kMaxDepth) {
@@ -177,6 +187,18 @@ BobNumbers::Value BobNumbers::primary() {
   words_.expect(")", "close the bracket");
   --depth_;
   return value;
+}
+
+BobNumbers::Value BobNumbers::missing_color(const BobWord& name) {
+  const std::vector<std::string_view> macros = words_.macro_names();
+  const std::string cure = macros.empty() ? "#define it, or #include the file that does"
+                                          : fmt::format("#define it; the nearest name is '{}'",
+                                                        nearest_word(name.text, macros));
+  const Eigen::Vector3d color =
+      lost_.stand_in(words_, name, fmt::format("the colour {} is not defined", quoted(name)), cure);
+  // As if the numbers stood there, so that the scene can be read from its source.
+  words_.take_as(fmt::format(" ( {} {} {} )", color.x(), color.y(), color.z()));
+  return {true, 0, color};
 }
 
 BobNumbers::Value BobNumbers::bracket() {

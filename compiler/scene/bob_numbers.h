@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <variant>
 
+#include "compiler/scene/bob_lost_colours.h"
 #include "compiler/scene/bob_words.h"
 
 namespace aspect {
@@ -24,12 +25,14 @@ class BobNumbers {
   // Squares and products of such numbers stay far inside a double.
   static constexpr double kMaxNumber = 1e9;
 
-  explicit BobNumbers(BobWords& words) : words_(words) {}
+  BobNumbers(BobWords& words, BobLostColours& lost) : words_(words), lost_(lost) {}
 
   double number();
   // One number of several that follow each other.
   double component();
   Eigen::Vector3d vector();
+  // A vector in which an unknown name is a colour that is missing.
+  Eigen::Vector3d color();
   // Three numbers, or one where no second number follows.
   std::variant<double, Eigen::Vector3d> number_or_vector();
 
@@ -48,6 +51,7 @@ class BobNumbers {
   Value unary();
   Value primary();
   Value bracket();
+  Value missing_color(const BobWord& name);
   Value function(const BobWord& name);
   Value completed(const Value& first);
   double scalar(Position position);
@@ -59,6 +63,8 @@ class BobNumbers {
   Value in_range(const Value& value, const BobWord& word) const;
 
   BobWords& words_;
+  BobLostColours& lost_;
+  bool in_color_ = false;
   int depth_ = 0;
 };
 

@@ -11,14 +11,15 @@
 
 namespace aspect {
 
-BobParser::BobParser(BobWords& words)
+BobParser::BobParser(BobWords& words, const std::optional<Eigen::Vector3d>& missing_colour)
     : words_(words),
       warnings_(scene_.warnings),
-      numbers_(words),
+      lost_(missing_colour, scene_.missing_colours),
+      numbers_(words, lost_),
       transforms_(words, numbers_),
       shapes_(words, numbers_, warnings_, transforms_),
       studio_reader_(words, numbers_, warnings_, transforms_),
-      surface_reader_(words, numbers_, warnings_, transforms_) {}
+      surface_reader_(words, numbers_, warnings_, lost_, transforms_) {}
 
 Scene BobParser::parse() {
   while (words_.peek().kind != BobWord::Kind::kEnd) statement(words_.take());

@@ -22,7 +22,7 @@ class BobParser {
   static constexpr std::size_t kMaxPrimitives = 65534;
   static constexpr std::size_t kMaxLights = 256;
 
-  explicit BobParser(BobWords& words);
+  BobParser(BobWords& words, const std::optional<Eigen::Vector3d>& missing_colour);
 
   // All but the scene's name.
   Scene parse();
@@ -38,6 +38,7 @@ class BobParser {
   BobWords& words_;
   Scene scene_;
   BobWarnings warnings_;
+  BobLostColours lost_;
   BobNumbers numbers_;
   BobTransforms transforms_;
   BobShapes shapes_;

@@ -12,7 +12,8 @@
 namespace aspect {
 
 Result<Scene> parse_bob(std::string_view text, const std::filesystem::path& name,
-                        const std::vector<std::filesystem::path>& include_path) {
+                        const std::vector<std::filesystem::path>& include_path,
+                        const std::optional<Eigen::Vector3d>& missing_colour) {
   BobSources sources;
   if (text.size() > sources.bytes_left()) {
     return Error{fmt::format("{}: too large; a scene has at most {} MiB", name.string(),
@@ -20,7 +21,7 @@ Result<Scene> parse_bob(std::string_view text, const std::filesystem::path& name
   }
   try {
     BobWords words(sources, sources.add(name, std::string(text)), include_path);
-    Scene scene = BobParser(words).parse();
+    Scene scene = BobParser(words, missing_colour).parse();
     scene.name = name.stem().string();
     scene.file = name.string();
     scene.files = sources.noted();
@@ -31,10 +32,11 @@ Result<Scene> parse_bob(std::string_view text, const std::filesystem::path& name
 }
 
 Result<Scene> read_bob(const std::filesystem::path& file,
-                       const std::vector<std::filesystem::path>& include_path) {
+                       const std::vector<std::filesystem::path>& include_path,
+                       const std::optional<Eigen::Vector3d>& missing_colour) {
   Result<std::string> text = load_text(file, BobSources::kMaxBytes);
   if (!text.ok()) return Error{fmt::format("{}: {}", file.string(), text.error())};
-  Result<Scene> scene = parse_bob(text.value(), file, include_path);
+  Result<Scene> scene = parse_bob(text.value(), file, include_path, missing_colour);
   if (scene) scene.value().files.push_back(file.string());
   return scene;
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "compiler/scene/bob_sources.h"
 #include "compiler/scene/texture_map.h"
 
@@ -21,8 +24,14 @@ Surface BobSurfaceReader::read(const BobWord& statement) {
   fields.flag("no_antialias", no_antialias);
   fields.flag("no_shadow", no_shadow);
   fields.field("texture", [&](const BobWord& word) { surface.texture = read_texture(word); });
+  stand_in_.reset();
   fields.read();
-  if (!fields.has("ambient")) surface.ambient = surface.diffuse;
+  if (stand_in_) {
+    surface.diffuse = surface.ambient = *stand_in_;
+    surface.texture = nullptr;
+  } else if (!fields.has("ambient")) {
+    surface.ambient = surface.diffuse;
+  }
   if (!shine_is_colored && fields.has("specular")) surface.shine_color = surface.specular;
   surface.antialias = !no_antialias;
   surface.casts_shadow = !no_shadow;
@@ -71,11 +80,26 @@ std::shared_ptr<const Texture> BobSurfaceReader::read_texture(const BobWord& sta
 }
 
 Checker BobSurfaceReader::read_checker(const BobWord& word) {
+  constexpr std::array<std::string_view, 5> kFields = {"checker", "map", "scale", "translate",
+                                                       "rotate"};
   Checker checker;
-  if (!color_follows()) return checker;
+  const BobWord& next = words_.peek();
+  const bool is_lost = next.kind == BobWord::Kind::kName &&
+                       std::find(kFields.begin(), kFields.end(), next.text) == kFields.end();
+  if (!color_follows() && !is_lost) return checker;
   for (Eigen::Vector3d& color : checker.colors)
     color = read_color(words_, numbers_, warnings_, word);
   return checker;
+}
+
+ImageMap BobSurfaceReader::lost_map(const BobWord& word, const std::filesystem::path& path,
+                                    const std::string& fault) {
+  const std::size_t end = fault.find("; ");
+  stand_in_ =
+      lost_.stand_in(words_, word, fmt::format("{}: {}", path.string(), fault.substr(0, end)),
+                     end == std::string::npos ? "write it anew" : fault.substr(end + 2));
+  words_.add_to_source(fmt::format(" [{} {} {}]", stand_in_->x(), stand_in_->y(), stand_in_->z()));
+  return {};
 }
 
 ImageMap BobSurfaceReader::read_map(const BobWord& word) {
@@ -87,9 +111,9 @@ ImageMap BobSurfaceReader::read_map(const BobWord& word) {
   std::shared_ptr<const TextureMap>& map = maps_[path.string()];
   if (map == nullptr) {
     const Result<std::string> bytes = load_text(path, BobSources::kMaxBytes);
-    if (!bytes.ok()) words_.fail(word, fmt::format("{}: {}", path.string(), bytes.error()));
+    if (!bytes.ok()) return lost_map(word, path, bytes.error());
     Result<TextureMap> decoded = decode_png(bytes.value(), kMaxMapPixels - map_pixels_);
-    if (!decoded.ok()) words_.fail(word, fmt::format("{}: {}", path.string(), decoded.error()));
+    if (!decoded.ok()) return lost_map(word, path, decoded.error());
     map = std::make_shared<TextureMap>(std::move(decoded).value());
     map_pixels_ += map->rgb.size() / 3;
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "compiler/scene/bob_block.h"
@@ -26,8 +27,12 @@ class BobSurfaceReader {
   static constexpr std::size_t kMaxMapPixels = std::size_t{16} << 20;
 
   BobSurfaceReader(BobWords& words, BobNumbers& numbers, BobWarnings& warnings,
-                   BobTransforms& transforms)
-      : words_(words), numbers_(numbers), warnings_(warnings), transforms_(transforms) {}
+                   BobLostColours& lost, BobTransforms& transforms)
+      : words_(words),
+        numbers_(numbers),
+        warnings_(warnings),
+        lost_(lost),
+        transforms_(transforms) {}
 
   Surface read(const BobWord& statement);
 
@@ -37,12 +42,16 @@ class BobSurfaceReader {
   std::shared_ptr<const Texture> read_texture(const BobWord& statement);
   Checker read_checker(const BobWord& word);
   ImageMap read_map(const BobWord& word);
+  ImageMap lost_map(const BobWord& word, const std::filesystem::path& path,
+                    const std::string& fault);
   bool color_follows() const;
 
   BobWords& words_;
   BobNumbers& numbers_;
   BobWarnings& warnings_;
+  BobLostColours& lost_;
   BobTransforms& transforms_;
+  std::optional<Eigen::Vector3d> stand_in_;  // of the surface's map, where that is not found
   std::map<std::string, std::shared_ptr<const TextureMap>> maps_;  // by path
   std::size_t map_pixels_ = 0;
 };

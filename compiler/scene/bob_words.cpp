@@ -33,6 +33,12 @@ BobWord BobWords::take() {
   return word;
 }
 
+void BobWords::take_as(std::string_view text) {
+  source_ += text;
+  glue_ = false;
+  ahead_ = preprocessor_.next();
+}
+
 BobWord BobWords::expect(std::string_view text, std::string_view right) {
   if (!next_is(text))
     fail(ahead_, fmt::format("{} in place of '{}'; {}", quoted(ahead_), text, right));

@@ -23,6 +23,8 @@ class BobWords {
 
   const BobWord& peek() const { return ahead_; }
   BobWord take();
+  // Takes a word that the record has another text for.
+  void take_as(std::string_view text);
   bool next_is(std::string_view text) const { return ahead_.text == text; }
 
   // Takes this very word or fails with what would be right.

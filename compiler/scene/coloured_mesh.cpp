@@ -63,4 +63,12 @@ void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
     add_triangle(mesh, {corners[a], corners[b], corners[c]}, colour, part);
 }
 
+void warn_of_uncoloured(ColouredMesh& mesh, std::size_t uncoloured, std::size_t faces) {
+  if (uncoloured == faces)
+    mesh.warnings.push_back("holds no colours; all of it is grey");
+  else if (uncoloured > 0)
+    mesh.warnings.push_back(
+        fmt::format("{} of {} faces have no colour; they are grey", uncoloured, faces));
+}
+
 }  // namespace aspect

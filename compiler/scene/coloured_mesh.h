@@ -7,19 +7,24 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "compiler/scene/missing_colour.h"
 
 namespace aspect {
 
 // Thrown inside compiler/scene only; read_mesh() turns it into a Result with the file's name.
 class MeshError : public std::runtime_error {
  public:
-  explicit MeshError(const std::string& message, std::size_t line = 0)
-      : std::runtime_error(message), line_(line) {}
-  std::size_t line() const { return line_; }  // 0: none
+  explicit MeshError(const std::string& message, std::size_t line = 0, std::string file = {})
+      : std::runtime_error(message), line_(line), file_(std::move(file)) {}
+  std::size_t line() const { return line_; }         // 0: none
+  const std::string& file() const { return file_; }  // empty: the mesh's own
 
  private:
   std::size_t line_;
+  std::string file_;
 };
 
 // A named piece of a file: a mesh, solid, object or layer, and its material.
@@ -38,8 +43,9 @@ struct ColouredMesh {
   std::vector<Eigen::Vector3d> colours;                 // by triangle, 0..1
   std::vector<std::uint32_t> part_of;                   // by triangle: index into parts
   std::vector<MeshPart> parts;
-  std::vector<std::string> warnings;  // without the file's name
-  std::vector<std::string> files;     // beside the mesh's own, that were read or looked for
+  std::vector<std::string> warnings;   // without the file's name
+  std::vector<MissingColour> missing;  // a colour that the reader was given stands for them
+  std::vector<std::string> files;      // beside the mesh's own, that were read or looked for
 };
 
 // Of faces that have none.
@@ -52,5 +58,8 @@ std::uint32_t add_vertex(ColouredMesh& mesh, const Eigen::Vector3d& vertex);
 // Throws MeshError where a corner is not there or a limit is passed.
 void add_face(ColouredMesh& mesh, std::span<const std::uint32_t> corners,
               const Eigen::Vector3d& colour, std::uint32_t part);
+
+// Warns where some faces of the file, or all, have no colour.
+void warn_of_uncoloured(ColouredMesh& mesh, std::size_t uncoloured, std::size_t faces);
 
 }  // namespace aspect

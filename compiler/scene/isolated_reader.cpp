@@ -5,7 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 
@@ -49,6 +52,12 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
   std::string warnings;
   for (const std::string& warning : mesh.warnings) warnings += warning + '\0';
   write_text(descriptor, warnings);
+  std::string missing;
+  for (const MissingColour& colour : mesh.missing)
+    missing += fmt::format("{0}{4}{1}{4}{2}{4}{3}{4}", colour.file, colour.line, colour.what,
+                           colour.cure, '\0');
+  write_text(descriptor, missing);
+  for (const MissingColour& colour : mesh.missing) write_list(descriptor, colour.parts);
   std::string files;
   for (const std::string& file : mesh.files) files += file + '\0';
   write_text(descriptor, files);
@@ -64,17 +73,22 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
   ::setrlimit(RLIMIT_CORE, &no_core);
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
-  std::string failure;
+  std::string failure, file;
+  std::uint64_t line = 0;
   try {
     write_mesh(descriptor, read());
     ::_exit(0);
   } catch (const MeshError& error) {
     failure = error.what();
+    file = error.file();
+    line = error.line();
   } catch (const std::exception& error) {
     failure = std::string("cannot be read (") + error.what() + "); export it again";
   }
   write_all(descriptor, &kError, 1);
   write_text(descriptor, failure);
+  write_text(descriptor, file);
+  write_list(descriptor, std::vector<std::uint64_t>{line});
   ::_exit(0);
 }
 
@@ -145,6 +159,10 @@ ColouredMesh mesh_in(Answer& answer) {
   for (std::size_t k = 0; k + 1 < names.size(); k += 2)
     mesh.parts.push_back({names[k], names[k + 1]});
   mesh.warnings = answer.texts();
+  const std::vector<std::string> missing = answer.texts();
+  for (std::size_t k = 0; k + 3 < missing.size(); k += 4)
+    mesh.missing.push_back({missing[k], std::strtoull(missing[k + 1].c_str(), nullptr, 10),
+                            missing[k + 2], missing[k + 3], answer.list<std::uint32_t>()});
   mesh.files = answer.texts();
   if (mesh.colours.size() != mesh.triangles.size() || mesh.part_of.size() != mesh.triangles.size())
     fail_broken();
@@ -171,8 +189,10 @@ ColouredMesh read_isolated(const std::function<ColouredMesh()>& read) {
   Answer answer(bytes);
   const char mark = answer.mark();
   if (status != 0 || (mark != kMesh && mark != kError)) fail_broken();
-  if (mark == kError) throw MeshError(answer.text());
-  return mesh_in(answer);
+  if (mark == kMesh) return mesh_in(answer);
+  const std::string failure = answer.text(), file = answer.text();
+  const std::vector<std::uint64_t> line = answer.list<std::uint64_t>();
+  throw MeshError(failure, line.empty() ? 0 : line.front(), file);
 }
 
 }  // namespace aspect

@@ -8,8 +8,10 @@
 #include "compiler/scene/assimp_mesh.h"
 #include "compiler/scene/bob_sources.h"
 #include "compiler/scene/dxf_mesh.h"
+#include "compiler/scene/gltf_mesh.h"
 #include "compiler/scene/isolated_reader.h"
 #include "compiler/scene/mesh_text.h"
+#include "compiler/scene/obj_mesh.h"
 #include "compiler/scene/off_mesh.h"
 #include "compiler/scene/ply_mesh.h"
 #include "compiler/scene/scene_reader.h"
@@ -20,9 +22,17 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
 
+bool is_gltf(std::string_view extension) {
+  return extension == ".gltf" || extension == ".glb";
+}
+
 // Nothing where the format is left to Assimp.
-std::optional<ColouredMesh> parsed(std::string_view bytes, const std::string& extension) {
-  if (extension == ".off") return parse_off(bytes);
+std::optional<ColouredMesh> parsed(std::string_view bytes, const std::filesystem::path& file,
+                                   const Eigen::Vector3d& stand_in) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".obj") return parse_obj(bytes, file, stand_in);
+  if (is_gltf(extension)) return parse_gltf(bytes, file, stand_in);
+  if (extension == ".off") return parse_off(bytes, stand_in);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);
   if (extension == ".ply" && !is_textured_ply(bytes)) return parse_ply(bytes);
@@ -34,8 +44,9 @@ Result<Value> guarded(const std::string& name, const std::function<Result<Value>
   try {
     return make();
   } catch (const MeshError& error) {
-    if (error.line() == 0) return Error{fmt::format("{}: {}", name, error.what())};
-    return Error{fmt::format("{}:{}: {}", name, error.line(), error.what())};
+    const std::string& file = error.file().empty() ? name : error.file();
+    if (error.line() == 0) return Error{fmt::format("{}: {}", file, error.what())};
+    return Error{fmt::format("{}:{}: {}", file, error.line(), error.what())};
   } catch (const std::bad_alloc&) {
     return Error{fmt::format("{}: needs more memory than there is; simplify the model", name)};
   }
@@ -51,6 +62,10 @@ Result<Scene> scene_from(const std::filesystem::path& file, const MeshColours& c
     scene.name = file.stem().string();
     scene.file = name;
     for (std::string& warning : scene.warnings) warning = fmt::format("{}: {}", name, warning);
+    for (MissingColour& missing : scene.missing_colours)
+      if (missing.file.empty()) missing.file = name;
+    if (!scene.missing_colours.empty() && !colours.missing)
+      return Error{refusal_of(scene.missing_colours.front())};
     return scene;
   });
 }
@@ -66,29 +81,42 @@ std::string load(const std::filesystem::path& file) {
   return std::move(bytes).value();
 }
 
-ColouredMesh read_triangles(const std::filesystem::path& file) {
-  if (std::optional<ColouredMesh> mesh = parsed(load(file), lower_extension(file)))
-    return std::move(*mesh);
-  return read_isolated([&] { return read_with_assimp(file); });
+// Pictures are decoded by libraries that a hostile one may break.
+bool shows_pictures(const std::string& extension) {
+  return extension == ".obj" || is_gltf(extension);
+}
+
+ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vector3d& stand_in) {
+  const std::string bytes = load(file);
+  const auto read = [&] {
+    std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in);
+    return mesh ? std::move(*mesh) : read_with_assimp(file, stand_in);
+  };
+  if (shows_pictures(lower_extension(file))) return read_isolated(read);
+  if (std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in)) return std::move(*mesh);
+  return read_isolated([&] { return read_with_assimp(file, stand_in); });
 }
 
 }  // namespace
 
 Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours) {
-  Result<Scene> scene = scene_from(file, colours, [&] { return read_triangles(file); });
+  Result<Scene> scene = scene_from(
+      file, colours, [&] { return read_triangles(file, colours.missing.value_or(kUncoloured)); });
   if (scene) scene.value().files.push_back(file.string());
   return scene;
 }
 
-Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file) {
-  return guarded<ColouredMesh>(file.string(),
-                               [&]() -> Result<ColouredMesh> { return read_triangles(file); });
+Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file,
+                                        const Eigen::Vector3d& stand_in) {
+  return guarded<ColouredMesh>(
+      file.string(), [&]() -> Result<ColouredMesh> { return read_triangles(file, stand_in); });
 }
 
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
                          const MeshColours& colours) {
   return scene_from(name, colours, [&] {
-    if (std::optional<ColouredMesh> mesh = parsed(bytes, lower_extension(name)))
+    if (std::optional<ColouredMesh> mesh =
+            parsed(bytes, name, colours.missing.value_or(kUncoloured)))
       return std::move(*mesh);
     throw MeshError("this format is read from files alone");
   });

@@ -12,18 +12,21 @@
 namespace aspect {
 
 // Reads a mesh file by its extension and makes the scene of it that scene_of_mesh() describes.
-// Channels are 0..1 as the file has them, never converted from or to sRGB: a picture shows
-// 255 * colour. Errors are one line `file: what is wrong; what to do`, with the line behind the
-// file's name where the format has lines. Files of more than 1 GiB or 5 million triangles are
-// refused; whatever breaks Assimp breaks a process of its own.
+// Channels are 0..1 as displayed (colour_meaning.h): a picture shows 255 * colour. A colour that
+// the file names and that is not found is an error, unless `colours` has one for it. Errors are one
+// line `file: what is wrong; what to do`, with the line behind the file's name where the format has
+// lines. Files of more than 1 GiB or 5 million triangles are refused; whatever breaks Assimp breaks
+// a process of its own.
 Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours = {});
 
 // The triangles of a mesh file as they are, in its coordinates: for those who judge the file.
-// Errors as above.
-Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file);
+// `stand_in` has the faces whose colour is not found. Errors as above.
+Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file,
+                                        const Eigen::Vector3d& stand_in = kUncoloured);
 
-// A scene from bytes in memory, for formats that this library reads itself: .ply, .off, .stl
-// (binary), .dxf. `name` stands for the file in messages.
+// A scene from bytes in memory, for formats that this library reads itself: .obj and .gltf (with
+// the files that they name), .glb, .ply, .off, .stl (binary), .dxf. `name` stands for the file in
+// messages.
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
                          const MeshColours& colours = {});
 

@@ -69,6 +69,19 @@ std::string replace_colours(ColouredMesh& mesh, const MeshColours& colours) {
   return {};
 }
 
+// What is left of the colours that the file lacks, once some are replaced.
+std::vector<MissingColour> still_missing(const ColouredMesh& mesh, const MeshColours& colours) {
+  std::vector<MissingColour> left;
+  for (MissingColour missing : mesh.missing) {
+    const std::size_t parts_before = missing.parts.size();
+    std::erase_if(missing.parts, [&](std::uint32_t part) {
+      return part < mesh.parts.size() && !name_for(mesh, part, colours).empty();
+    });
+    if (parts_before == 0 || !missing.parts.empty()) left.push_back(std::move(missing));
+  }
+  return left;
+}
+
 // Fewer colours, the coarser the tolerance, until each can have a primitive of its own.
 std::vector<SurfaceTriangle> with_surfaces(const ColouredMesh& mesh, Scene& scene) {
   std::vector<SurfaceTriangle> triangles(mesh.triangles.size());
@@ -159,6 +172,7 @@ Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours) {
   scene.warnings = std::move(mesh.warnings);
   scene.files = std::move(mesh.files);
   scene.merged_colours = colours.merged;
+  scene.missing_colours = still_missing(mesh, colours);
   scene.studio.ambient = {1, 1, 1};
   std::vector<SurfaceTriangle> triangles = with_surfaces(mesh, scene);
   weld(mesh.vertices, triangles);

@@ -18,6 +18,8 @@ struct MeshColours {
   std::map<std::string, Eigen::Vector3d> by_name;
   // Then all are merged into so many (colour_merging.h).
   std::optional<std::size_t> merged = std::nullopt;
+  // Stands for every colour that the file names and that is not found; without it that is an error.
+  std::optional<Eigen::Vector3d> missing = std::nullopt;
 };
 
 // Paints the mesh so. Empty, or what is wrong: with the mesh, or a name that it does not have.
@@ -29,6 +31,7 @@ std::string repaint(ColouredMesh& mesh, const MeshColours& colours);
 // The object is centred on its bounding box and scaled to 0.9 of the radius that fits, seen in
 // ambient light of 1 at 45 degrees with z upwards; Scene::source_from_object leads back.
 // Colours are taken as they are: a picture shows 255 * colour.
+// What a file lacks where a colour by name stands for it is not missed.
 // Fails where nothing is left to be seen, a colour names no part, or a vertex is not finite; the
 // error has no file name in front. O(n log n).
 Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours = {});

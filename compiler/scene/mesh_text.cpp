@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -23,6 +24,36 @@ std::vector<std::string_view> words_of(std::string_view line) {
     end = std::min(line.find_first_of(kSpaces, begin), line.size());
     words.push_back(line.substr(begin, end - begin));
   }
+}
+
+std::string_view rest_of_line(std::string_view line, std::string_view word) {
+  constexpr std::string_view kSpaces = " \t\r\n\v\f";
+  std::string_view rest = line.substr(static_cast<std::size_t>(word.end() - line.begin()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(kSpaces), rest.size()));
+  rest.remove_suffix(rest.size() - (rest.find_last_not_of(kSpaces) + 1));
+  if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
+    rest = rest.substr(1, rest.size() - 2);
+  return rest;
+}
+
+std::string lower_case(std::string_view word) {
+  std::string lower(word);
+  for (char& letter : lower)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return lower;
+}
+
+std::string_view with_line_feeds(std::string_view text, std::string& held) {
+  if (text.find('\n') != std::string_view::npos || text.find('\r') == std::string_view::npos)
+    return text;
+  held = text;
+  std::replace(held.begin(), held.end(), '\r', '\n');
+  return held;
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
 std::string_view MeshText::take_line() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,18 @@ class MeshText {
 };
 
 std::vector<std::string_view> words_of(std::string_view line);
+
+// What follows a word of the line, which it views, without white space and quotes around it.
+std::string_view rest_of_line(std::string_view line, std::string_view word);
+
+std::string lower_case(std::string_view word);
+
+// The text itself, or where carriage returns alone end its lines the same with line feeds, in
+// `held`.
+std::string_view with_line_feeds(std::string_view text, std::string& held);
+
+// UTF-8's, which some editors write in front.
+std::string_view without_byte_order_mark(std::string_view text);
 
 // A word as it may stand in a message: cut short, nothing but printable ASCII.
 std::string shown(std::string_view word);

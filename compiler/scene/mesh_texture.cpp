@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "compiler/scene/colour_palette.h"
+#include "compiler/scene/srgb.h"
 
 namespace aspect {
 namespace {
@@ -71,6 +72,12 @@ double longest_edge(const TexturedTriangle& triangle) {
   return longest;
 }
 
+Vector3d coloured_by(const TexturedTriangle& triangle, const Vector3d& colour) {
+  if (!triangle.linear_factor) return colour.cwiseProduct(triangle.factor);
+  if (triangle.factor == Vector3d::Ones()) return colour;
+  return srgb_of_linear(linear_of_srgb(colour).cwiseProduct(triangle.factor));
+}
+
 std::array<TexturedTriangle, 4> cut(const TexturedTriangle& whole) {
   std::array<TexturedTriangle, 4> parts = {whole, whole, whole, whole};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -86,11 +93,14 @@ std::array<TexturedTriangle, 4> cut(const TexturedTriangle& whole) {
 }  // namespace
 
 Vector3d MeshTexture::at(const Vector2d& uv) const {
-  const auto texel = [](double coordinate, int size) {
-    const double within = coordinate - std::floor(coordinate);
+  const auto texel = [](double coordinate, Wrap wrap, int size) {
+    double within = coordinate - std::floor(coordinate);
+    if (wrap == Wrap::clamp) within = std::clamp(coordinate, 0.0, 1.0);
+    if (wrap == Wrap::mirror && std::fmod(std::floor(coordinate), 2) != 0) within = 1 - within;
     return std::min(static_cast<int>(within * size), size - 1);
   };
-  const int x = texel(uv.x(), width_px), y = height_px - 1 - texel(uv.y(), height_px);
+  const int x = texel(uv.x(), wrap_u, width_px),
+            y = height_px - 1 - texel(uv.y(), wrap_v, height_px);
   const std::uint8_t* pixel =
       rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
                         static_cast<std::size_t>(x));
@@ -109,7 +119,11 @@ MeshTexture decode_texture(std::span<const std::uint8_t> file) {
   if (bgr.empty()) throw MeshError("is no picture that is read; write PNG or JPEG");
   cv::Mat rgb;
   cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
-  return {rgb.cols, rgb.rows, std::vector<std::uint8_t>(rgb.datastart, rgb.dataend)};
+  MeshTexture texture;
+  texture.width_px = rgb.cols;
+  texture.height_px = rgb.rows;
+  texture.rgb.assign(rgb.datastart, rgb.dataend);
+  return texture;
 }
 
 void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangles,
@@ -131,8 +145,7 @@ void add_textured(ColouredMesh& mesh, std::span<const TexturedTriangle> triangle
       const std::size_t colour = palette.find_or_add(seen.uniform ? seen.mean : seen.commonest);
       std::array<std::uint32_t, 3> corners{};
       for (std::size_t k = 0; k < 3; ++k) corners[k] = add_vertex(mesh, triangle.corners[k]);
-      add_face(mesh, corners, palette.colours()[colour].cwiseProduct(triangle.factor),
-               triangle.part);
+      add_face(mesh, corners, coloured_by(triangle, palette.colours()[colour]), triangle.part);
     }
   }
 }

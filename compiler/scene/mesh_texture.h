@@ -12,10 +12,13 @@
 namespace aspect {
 
 struct MeshTexture {
+  enum class Wrap { repeat, clamp, mirror };  // beyond 0..1
+
   int width_px = 0, height_px = 0;
   std::vector<std::uint8_t> rgb;  // row by row, top to bottom
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
 
-  // Repeated in both directions; (0, 0) is the lower left corner of the picture.
+  // (0, 0) is the lower left corner of the picture.
   Eigen::Vector3d at(const Eigen::Vector2d& uv) const;
 };
 
@@ -26,6 +29,7 @@ struct TexturedTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   std::array<Eigen::Vector2d, 3> uv;
   Eigen::Vector3d factor{1, 1, 1};  // of the texture's colours
+  bool linear_factor = false;       // of their light, not of their values
   std::uint32_t part = 0;
 };
 

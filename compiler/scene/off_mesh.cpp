@@ -42,7 +42,7 @@ std::optional<Vector3d> colour_of(const MeshText& text, Words words) {
 
 }  // namespace
 
-ColouredMesh parse_off(std::string_view file) {
+ColouredMesh parse_off(std::string_view file, const Vector3d& stand_in) {
   MeshText text(file);
   std::vector<std::string_view> words = text.take_words("OFF");
   const Header header = read_header(text, words[0]);
@@ -64,10 +64,12 @@ ColouredMesh parse_off(std::string_view file) {
     const std::size_t skipped = header.normals ? 6 : 3;
     const Words rest = Words(words).subspan(std::min(skipped, words.size()));
     const auto colour = header.colours ? colour_of(text, rest) : std::nullopt;
+    if (header.colours && !colour)
+      text.fail("a vertex without the colour that COFF promises; give all of them one");
     vertex_colours.push_back(colour.value_or(kUncoloured));
   }
   std::vector<std::uint32_t> corners;
-  bool coloured = header.colours;
+  std::size_t uncoloured = 0;
   for (std::size_t k = 0; k < faces; ++k) {
     words = text.take_words("a face");
     const std::size_t count = text.count(words[0], ColouredMesh::kMaxFaceCorners);
@@ -80,11 +82,23 @@ ColouredMesh parse_off(std::string_view file) {
         text.fail(fmt::format("vertex {}, but there are {}", corners.back(), vertices));
       mean += vertex_colours[corners.back()] / static_cast<double>(count);
     }
-    const auto colour = colour_of(text, Words(words).subspan(count + 1));
-    coloured = coloured || colour.has_value();
+    const Words rest = Words(words).subspan(count + 1);
+    std::optional<Vector3d> colour = colour_of(text, rest);
+    if (!colour && !rest.empty()) {
+      colour = stand_in;
+      if (mesh.missing.empty())
+        mesh.missing.push_back({{},
+                                text.line(),
+                                fmt::format("colour '{}' is a place in a colour map, which OFF "
+                                            "files do not hold",
+                                            shown(rest[0])),
+                                "write r g b",
+                                {0}});
+    }
+    if (!colour && !header.colours) ++uncoloured;
     add_face(mesh, corners, colour.value_or(mean), 0);
   }
-  if (!coloured) mesh.warnings.push_back("holds no colours; all of it is grey");
+  warn_of_uncoloured(mesh, uncoloured, faces);
   return mesh;
 }
 

@@ -10,7 +10,8 @@ namespace aspect {
 
 // Text OFF with the prefixes ST, C and N (geomview.org, oogl.html#OFF). A face's own colour wins
 // over those of its corners, of which the mean is taken. Whole numbers of which one is above 1 are
-// 0..255, all others 0..1. Throws MeshError.
-ColouredMesh parse_off(std::string_view text);
+// 0..255, all others 0..1. A number alone is a place in a map that is not there: `stand_in` has
+// such faces. Throws MeshError.
+ColouredMesh parse_off(std::string_view text, const Eigen::Vector3d& stand_in = kUncoloured);
 
 }  // namespace aspect

@@ -1,6 +1,6 @@
 // A coloured CAD model as the compiler sees it: flat lists of primitives in object coordinates,
 // all transforms applied. Lengths are in the scene's units (the viewing sphere has radius 1),
-// colours are linear r g b in 0..1.
+// colours are r g b in 0..1 as displayed: a picture shows 255 * colour (colour_meaning.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/scene/missing_colour.h"
 #include "compiler/scene/texture.h"
 
 namespace aspect {
@@ -151,7 +152,8 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures
   std::vector<Light> lights;
-  std::vector<std::string> warnings;  // one line each, with file and line
+  std::vector<std::string> warnings;           // one line each, with file and line
+  std::vector<MissingColour> missing_colours;  // that another was given to stand for
   // What a store's key hashes: a Bob scene's preprocessed words, normalised; a mesh's digest.
   std::string source;
   SourceFromObject source_from_object;        // of meshes, which are centred and scaled to fit

@@ -22,7 +22,7 @@ Result<Scene> read_scene(const std::filesystem::path& file, const SceneReading& 
   constexpr std::array<std::string_view, 8> kMeshes = {".obj", ".ply", ".stl", ".gltf",
                                                        ".glb", ".dxf", ".off", ".3ds"};
   const std::string extension = lower_extension(file);
-  if (extension == ".b") return read_bob(file, reading.include_path);
+  if (extension == ".b") return read_bob(file, reading.include_path, reading.colours.missing);
   if (std::find(kMeshes.begin(), kMeshes.end(), extension) != kMeshes.end())
     return read_mesh(file, reading.colours);
   return Error{fmt::format("{}: unknown extension '{}'; give one of .b {}", file.string(),

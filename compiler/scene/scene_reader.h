@@ -13,7 +13,7 @@ namespace aspect {
 
 struct SceneReading {
   std::vector<std::filesystem::path> include_path;  // of Bob scenes
-  MeshColours colours;                              // of meshes
+  MeshColours colours;  // of meshes; the one for missing colours of Bob scenes too
 };
 
 // A Bob scene (.b) or a mesh (.obj .ply .stl .gltf .glb .dxf .off .3ds, in any case). Errors are

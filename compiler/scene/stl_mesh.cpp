@@ -30,12 +30,12 @@ Vector3d vector_at(std::string_view file, std::size_t k) {
 struct FaceColours {
   bool magics = false;
   Vector3d common = kUncoloured;
-  bool any = false;
+  std::size_t uncoloured = 0;  // of those asked for
 
   Vector3d of(std::uint32_t attribute) {
     const Vector3d low_to_high(attribute & 31u, attribute >> 5 & 31u, attribute >> 10 & 31u);
     const bool own = (attribute >> 15 != 0) != magics;
-    any = any || own;
+    if (!own && !magics) ++uncoloured;
     if (!own) return common;
     return (magics ? low_to_high : Vector3d(low_to_high.reverse())) / 31;
   }
@@ -46,7 +46,7 @@ FaceColours colours_of(std::string_view file) {
   const std::size_t key = file.substr(0, kHeader - 4).find("COLOR=");
   if (key == std::string_view::npos) return colours;
   const std::size_t at = key + 6;
-  colours.magics = colours.any = true;
+  colours.magics = true;
   colours.common =
       Vector3d(byte_at(file, at), byte_at(file, at + 1), byte_at(file, at + 2)) / 255.0;
   return colours;
@@ -75,7 +75,7 @@ std::optional<ColouredMesh> parse_binary_stl(std::string_view file) {
       corners[k] = add_vertex(mesh, vector_at(file, at + 12 * (k + 1)));
     add_face(mesh, corners, colours.of(byte_at(file, at + 48) | byte_at(file, at + 49) << 8), 0);
   }
-  if (!colours.any) mesh.warnings.push_back("holds no colours; all of it is grey");
+  warn_of_uncoloured(mesh, colours.uncoloured, count);
   return mesh;
 }
 

@@ -126,6 +126,20 @@ bool is_inseparable(const ColourGroups::Group& a, const ColourGroups::Group& b,
   return colour_separation(a.seen, b.seen, vision) < 1;
 }
 
+std::vector<Finding> check_missing(const Scene& scene, bool given) {
+  std::vector<Finding> findings;
+  for (const MissingColour& missing : scene.missing_colours) {
+    Finding& finding = findings.emplace_back();
+    finding.group = "colours";
+    finding.code = "missing_colour";
+    finding.severity = given ? Severity::note : Severity::error;
+    finding.message = line_of(missing);
+    finding.cure = fmt::format("{}{}", missing.cure, kOrGoOn);
+    finding.count = std::max<std::size_t>(missing.parts.size(), 1);
+  }
+  return findings;
+}
+
 std::vector<Finding> check_colours(const ColourGroups& groups, const VisionParameters& vision) {
   if (!by_colour(vision)) return {};
   std::vector<std::size_t> apart;

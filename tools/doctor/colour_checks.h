@@ -9,6 +9,10 @@ namespace aspect {
 // More colours than can be told apart. Needs no picture.
 std::vector<Finding> check_colours(const ColourGroups& groups, const VisionParameters& vision);
 
+// Colours that the scene names and that are not there: errors, but notes where the user has given
+// one to stand for them.
+std::vector<Finding> check_missing(const Scene& scene, bool given);
+
 // Colours that touch and do not separate: by themselves or, under lamps, in their shading. Surfaces
 // of one and the same colour that touch are a note.
 std::vector<Finding> check_borders(const Scene& scene, const ColourGroups& groups,

@@ -29,7 +29,7 @@ std::vector<Finding> mesh_findings(const PreparedObject& object, const ColouredM
 
 // Of an object with one mesh; empty where its colours are not merged.
 Result<std::vector<Finding>> merging_findings(const PreparedObject& object, ColouredMesh mesh) {
-  MeshColours colours = mesh_colours_of(object.settings.mesh);
+  MeshColours colours = mesh_colours(object.settings.mesh);
   const std::optional<std::size_t> count = std::exchange(colours.merged, std::nullopt);
   if (!count) return std::vector<Finding>{};
   if (const std::string fault = repaint(mesh, colours); !fault.empty())
@@ -99,6 +99,7 @@ Result<Diagnosis> diagnose(const PreparedObject& object) {
   }
   const WorkingDistance distance = working_distance(object);
   append(diagnosis.findings, check_place(scene, distance));
+  append(diagnosis.findings, check_missing(scene, object.settings.mesh.missing_colour.has_value()));
   const ColourGroups groups = colour_groups(scene);
   const Sight sight = look_around(scene, renderer.value(), groups, vision, distance.far);
   const ColourCrowd crowd = find_crowd(groups, sight, vision);

@@ -88,13 +88,14 @@ void note_done(const Topology& topology, std::vector<std::string>& done) {
 }
 
 Result<Done> mend_mesh(const PreparedObject& object, Repair& repaired) {
-  const Result<ColouredMesh> mesh = read_coloured_mesh(object.scene_file);
+  const MeshColours colours = mesh_colours(object.settings.mesh);
+  const Result<ColouredMesh> mesh =
+      read_coloured_mesh(object.scene_file, colours.missing.value_or(kUncoloured));
   if (!mesh) return Error{mesh.error()};
   const FaceSet set = face_set_of(mesh.value());
   const Topology topology = check_topology(set);
   note_done(topology, repaired.done);
   repaired.mesh = repaired_mesh(mesh.value(), set, topology);
-  const MeshColours colours = mesh_colours_of(object.settings.mesh);
   if (const std::string fault = repaint(*repaired.mesh, colours); !fault.empty())
     return Error{fmt::format("{}: {}", object.scene_file.native(), fault)};
   Result<Scene> scene = scene_of_mesh(*repaired.mesh);

@@ -223,9 +223,12 @@ constexpr Case kCases[] = {
     {"a map with an open quote", "surface { texture { map \"tiles.png } }",
      "s.b:1: a quote that is not closed; write \"name\""},
     {"a map that is not there", "surface { texture { map\n\"nowhere.png\" } }",
-     "s.b:1: nowhere.png: no such file; check the path"},
+     "s.b:1: nowhere.png: no such file; check the path, or go on with --missing-colour R,G,B "
+     "([mesh] "
+     "missing_colour in a project)"},
     {"a map that is a folder", "surface { texture { map \"/\" } }",
-     "s.b:1: /: not a regular file; give a plain one"},
+     "s.b:1: /: not a regular file; give a plain one, or go on with --missing-colour R,G,B ([mesh] "
+     "missing_colour in a project)"},
     {"quotes where a number belongs", "surface { diffuse \"red\" }",
      "s.b:1: '\"red\"' in place of a number; write a number"},
     {"a patch without normals", "patch { vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 }",

@@ -1,4 +1,5 @@
 // Every format against the same cube as a Bob scene: pictures, byte for byte.
+#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <assimp/Exporter.hpp>
@@ -133,6 +134,26 @@ TEST_CASE("a cube in 3DS looks like Bob's: z stays upwards") {
   const Result<Scene> read_back = read_scene(file);
   if (!read_back) FAIL(read_back.error());
   require_cube_pictures(read_back.value());
+}
+
+TEST_CASE("a cube that Assimp wrote as glTF, GLB or OBJ looks like Bob's") {
+  const ScratchFolder folder;
+  folder.write(cube_mtl().name, cube_mtl().bytes);
+  const auto obj = folder.write(cube_obj().name, cube_obj().bytes);
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(obj.string(), 0);
+  REQUIRE(scene != nullptr);
+  for (const auto& [format, name] :
+       {std::pair{"gltf2", "made.gltf"}, {"glb2", "made.glb"}, {"obj", "made.obj"}}) {
+    INFO(name);
+    Assimp::Exporter exporter;
+    const auto file = folder.path() / name;
+    const unsigned triangulated = format[0] == 'o' ? 0u : unsigned{aiProcess_Triangulate};
+    REQUIRE(exporter.Export(scene, format, file.string(), triangulated) == aiReturn_SUCCESS);
+    const Result<Scene> read_back = read_scene(file);
+    if (!read_back) FAIL(read_back.error());
+    require_cube_pictures(read_back.value());
+  }
 }
 
 TEST_CASE("a cube in DXF looks like Bob's, by layer, true colour and polyface") {

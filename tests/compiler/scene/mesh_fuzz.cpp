@@ -25,9 +25,10 @@ void try_bytes(std::string_view bytes, const std::string& extension) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::array<const char*, 4> kExtensions = {".ply", ".off", ".stl", ".dxf"};
+  constexpr std::array<const char*, 6> kExtensions = {".ply", ".off", ".stl",
+                                                      ".dxf", ".obj", ".gltf"};
   if (size == 0) return 0;
-  try_bytes({reinterpret_cast<const char*>(data) + 1, size - 1}, kExtensions[data[0] % 4]);
+  try_bytes({reinterpret_cast<const char*>(data) + 1, size - 1}, kExtensions[data[0] % 6]);
   return 0;
 }
 

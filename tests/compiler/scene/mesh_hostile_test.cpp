@@ -13,9 +13,15 @@ namespace aspect {
 namespace {
 
 std::vector<SampleFile> own_formats() {
-  return {cube_ply("ascii", true), cube_ply("binary_big_endian", false),
-          cube_off(true),          cube_binary_stl(true),
-          cube_dxf_faces(true),    cube_dxf_polyface()};
+  return {cube_ply("ascii", true),
+          cube_ply("binary_big_endian", false),
+          cube_off(true),
+          cube_binary_stl(true),
+          cube_dxf_faces(true),
+          cube_dxf_polyface(),
+          cube_obj(),
+          cube_gltf(),
+          cube_glb()};
 }
 
 void require_scene_or_line(const Result<Scene>& scene, const std::string& name) {
@@ -126,6 +132,12 @@ TEST_CASE("a reader that crashes, throws or runs out of memory is an error and n
               }),
               "breaks its reader"));
   CHECK(holds(error([]() -> ColouredMesh { throw MeshError("is odd"); }), "is odd"));
+  try {
+    read_isolated([]() -> ColouredMesh { throw MeshError("is odd", 7, "a.mtl"); });
+    FAIL("no error");
+  } catch (const MeshError& failure) {
+    CHECK((failure.line() == 7 && failure.file() == "a.mtl"));
+  }
   CHECK(holds(error([]() -> ColouredMesh { throw std::bad_alloc(); }), "cannot be read"));
   CHECK(error([] { return ColouredMesh{}; }) == "no error");
 }
@@ -134,6 +146,7 @@ TEST_CASE("a mesh comes back whole from a process of its own") {
   ColouredMesh sent;
   sent.parts = {{"a", "b"}, {"", "c"}};
   sent.warnings = {"one", "two"};
+  sent.missing = {{"a.mtl", 3, "what", "cure", {0, 1}}, {"", 0, "else", "", {}}};
   for (int k = 0; k < 100000; ++k) add_vertex(sent, {k * .1, k * .2, -k * .3});
   for (std::uint32_t k = 0; k + 2 < 100000; ++k)
     add_face(sent, std::array{k, k + 1, k + 2}, {k * 1e-5, .5, 1}, k % 2);
@@ -141,6 +154,11 @@ TEST_CASE("a mesh comes back whole from a process of its own") {
   CHECK((got.vertices == sent.vertices && got.triangles == sent.triangles));
   CHECK((got.colours == sent.colours && got.part_of == sent.part_of));
   CHECK(got.warnings == sent.warnings);
+  REQUIRE(got.missing.size() == 2);
+  CHECK(line_of(got.missing[0]) == "a.mtl:3: what");
+  CHECK(
+      (got.missing[0].cure == "cure" && got.missing[0].parts == std::vector<std::uint32_t>{0, 1}));
+  CHECK((got.missing[1].what == "else" && got.missing[1].parts.empty()));
   REQUIRE(got.parts.size() == 2);
   CHECK((got.parts[0].name == "a" && got.parts[0].material == "b"));
   CHECK((got.parts[1].name.empty() && got.parts[1].material == "c"));

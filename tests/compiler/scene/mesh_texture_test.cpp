@@ -114,21 +114,6 @@ TEST_CASE("a texture's pieces have its colours alone, its areas and its places")
   }
 }
 
-TEST_CASE("a texture that is missing or broken is a warning, and the material's colour shows") {
-  const ScratchFolder folder;
-  folder.write("m.mtl", "newmtl tex\nKd 0 0 1\nmap_Kd disc.png\n");
-  const auto obj = folder.write("square.obj", textured_obj());
-  for (const char* bytes : {"", "not a picture"}) {
-    if (*bytes != '\0') folder.write("disc.png", bytes);
-    const Result<Scene> scene = read_scene(obj);
-    if (!scene) FAIL(scene.error());
-    REQUIRE(scene.value().warnings.size() == 1);
-    CHECK(scene.value().warnings[0].find("texture 'disc.png'") != std::string::npos);
-    REQUIRE(scene.value().surfaces.size() == 1);
-    CHECK(scene.value().surfaces[0].diffuse == Vector3d(0, 0, 1));
-  }
-}
-
 TEST_CASE("a texture repeats, and (0, 0) is its lower left corner") {
   const MeshTexture texture{2, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
   const auto at = [&](double u, double v) { return std::lround(255 * texture.at({u, v}).x()); };

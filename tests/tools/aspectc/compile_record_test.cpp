@@ -88,6 +88,10 @@ TEST_CASE("a file that comes, goes or changes changes what is recorded of it, a 
   CHECK_FALSE(files_now(before, folder.path()) == before);
   fs::remove(folder.path() / "m.mtl");
   CHECK(files_now(before, folder.path()) == before);
+  folder.write("M.mtl", "");  // which a reader may take for it
+  CHECK_FALSE(files_now(before, folder.path()) == before);
+  fs::remove(folder.path() / "M.mtl");
+  CHECK(files_now(before, folder.path()) == before);
   folder.write("a.b", "two");
   CHECK_FALSE(files_now(before, folder.path()) == before);
 }

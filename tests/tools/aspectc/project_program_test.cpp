@@ -164,4 +164,36 @@ TEST_CASE("a range of distances that cannot hold is a warning, and the index is 
                               Contains("warning: part: at distance 30 the smallest contour"));
 }
 
+TEST_CASE("a colour that is not found stops a compilation, unless a flag or a key gives one") {
+  const Workplace here;
+  const std::string scene(kScene);
+  here.write("lost.b", "#define GREEN .1 .8 .1\n" + scene.substr(0, scene.find(".8 .1 .1")) +
+                           "RED" + scene.substr(scene.find(".8 .1 .1") + 8));
+  check_fails(here.run({"lost.b", "--level", "2", "--no-store"}), 1,
+              "lost.b:5: the colour 'RED' is not defined; #define it; the nearest name is 'GREEN', "
+              "or go on with --missing-colour R,G,B ([mesh] missing_colour in a project)");
+  const std::string warning =
+      "aspectc: warning: lost.b:5: the colour 'RED' is not defined; --missing-colour stands for it";
+  const Outcome flag = here.run({"lost.b", "--level", "2", "--min-level", "2", "--no-store",
+                                 "--missing-colour", "0.8,0.1,0.1", "-o", "flag.aspect"});
+  CHECK(flag.exit_code == 0);
+  CHECK_THAT(flag.err, Contains(warning));
+  here.write("lost.toml",
+             "scene = \"lost.b\"\n[subdivision]\nlevel = 2\nmin_level = 2\n"
+             "[mesh]\nmissing_colour = [0.8, 0.1, 0.1]\n");
+  const Outcome key = here.run({"lost.toml", "--no-store", "-o", "key.aspect"});
+  CHECK(key.exit_code == 0);
+  CHECK_THAT(key.err, Contains(warning));
+  CHECK(fs::file_size(here.file("flag.aspect")) == fs::file_size(here.file("key.aspect")));
+  CHECK(here.run({"lost.b", "--missing-colour", "2,0,0"}).exit_code == 2);
+  // A project is written all the same, so that it can say the colour; a conversion can say it too.
+  CHECK(here.run({"init", "lost.b", "-o", "new.toml"}).exit_code == 0);
+  check_fails(here.run({"convert", "lost.b", "out.b"}), 1, "lost.b:5: the colour 'RED'");
+  const Outcome converted =
+      here.run({"convert", "lost.b", "out.b", "--missing-colour", "0.8,0.1,0.1"});
+  CHECK(converted.exit_code == 0);
+  CHECK_THAT(converted.err, Contains(warning));
+  CHECK(here.run({"render", "out.b", "--from", "1,1,1", "-o", "out.png"}).exit_code == 0);
+}
+
 }  // namespace aspect

@@ -212,6 +212,7 @@ TEST_CASE(
         "[[surface]]", "diffuse = [0.8, 0.1, 0.1]", "ambient = [0.2, 0.8, 0.1]",
         "colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}", "[[object]]"})
     CHECK_THAT(text, Contains(std::string("\n# ") + line + "\n"));
+  CHECK_THAT(text, Contains("\n[mesh]\n"));
 }
 
 }  // namespace aspect

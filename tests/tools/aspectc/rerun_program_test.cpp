@@ -236,13 +236,16 @@ TEST_CASE("every file that a run opens stands in its record, and whichever chang
 TEST_CASE("a material library that was missing and comes is a change") {
   const Workplace here;
   here.write(cube_obj());
-  REQUIRE(here.compiles({cube_obj().name}));
-  CHECK_FALSE(here.compiles({cube_obj().name}));
-  here.write(cube_mtl());
-  CHECK(here.compiles({cube_obj().name, "--no-store"}));
-  CHECK_FALSE(here.compiles({cube_obj().name, "--no-store"}));
-  fs::remove(here.file(cube_mtl().name));
-  CHECK(here.compiles({cube_obj().name, "--no-store"}));
+  const Words grey = {cube_obj().name, "--no-store", "--missing-colour", "0.7,0.7,0.7"};
+  REQUIRE(here.compiles(grey));
+  CHECK_FALSE(here.compiles(grey));
+  for (const std::string& name : {cube_mtl().name, std::string("CUBE.MTL")}) {
+    here.write(name, cube_mtl().bytes);
+    CHECK(here.compiles(grey));
+    CHECK_FALSE(here.compiles(grey));
+    fs::remove(here.file(name));
+    CHECK(here.compiles(grey));
+  }
 }
 
 TEST_CASE("what is touched is unchanged, and what is changed is so with the same size and time") {

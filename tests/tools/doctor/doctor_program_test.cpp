@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
+#include <tuple>
 
 #include "tests/runtime/capture/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
@@ -127,6 +128,41 @@ TEST_CASE("a Bob scene off centre, too large and with a repeated face is put rig
   CHECK(examined.codes() == Codes{"off_centre", "leaves_picture", "duplicate_faces", "open_edges"});
   CHECK(examined.left() == Codes{"open_edges"});
   CHECK(examine(folder.path(), {"out.b"}).codes() == Codes{"open_edges"});
+}
+
+TEST_CASE(
+    "a colour that is named and not there is an error with its place, a note where one is given") {
+  const TemporaryFolder folder;
+  const std::string faces =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  folder.write("part.obj", "mtllib none.mtl\n" + faces);
+  folder.write("part.b",
+               "surface { diffuse red } sphere { center 0 0 0 radius .3 }\n"
+               "studio { angle 50 resolution 256 256 ambient 1 1 1 }\n");
+  for (const auto& [file, place, what] :
+       {std::tuple{"part.obj", "part.obj:1: ", "mtllib 'none.mtl' is not there"},
+        {"part.b", "part.b:1: ", "the colour 'red' is not defined"}}) {
+    CAPTURE(file);
+    const Examined examined = examine(folder.path(), {file});
+    CHECK(examined.exit_code == 1);
+    CHECK(examined.codes().contains("missing_colour"));
+    CHECK(examined.json["objects"][0]["errors"] == 1);
+    for (const Json& finding : examined.json["objects"][0]["findings"]) {
+      if (finding["code"] != "missing_colour") continue;
+      CHECK_THAT(finding["message"].get<std::string>(),
+                 Catch::Contains(place) && Catch::Contains(what));
+      CHECK_THAT(finding["cure"].get<std::string>(), Catch::Contains("--missing-colour"));
+    }
+    CHECK(examine(folder.path(), {file, "--fix", "grey.b"}).left().contains("missing_colour"));
+    folder.write("given.toml", "scene = \"" + std::string(file) +
+                                   "\"\n[mesh]\nmissing_colour = [0.8, 0.1, 0.1]\n");
+    const Examined given = examine(folder.path(), {"given.toml"});
+    CHECK(given.exit_code == 0);
+    CHECK(given.codes().empty());
+    const Examined fixed = examine(folder.path(), {"given.toml", "--fix", "out.b"});
+    CHECK(fixed.left().empty());
+    CHECK_FALSE(examine(folder.path(), {"out.b"}).codes().contains("missing_colour"));
+  }
 }
 
 TEST_CASE("a project's distance and segmentation decide what is too small and too alike") {

@@ -53,6 +53,8 @@ void print_warning(const std::string& warning) {
 
 std::vector<std::string> warnings_of(const PreparedObject& object) {
   std::vector<std::string> warnings = object.scene.warnings;
+  for (const MissingColour& missing : object.scene.missing_colours)
+    warnings.push_back(line_of(missing) + "; --missing-colour stands for it");
   if (const auto& distance = object.settings.camera.distance) {
     const auto more = distance_warnings(object.scene, object.settings.options.vision,
                                         distance->front(), distance->back());
@@ -67,7 +69,7 @@ void print_unchanged(const PlannedIndex& index, const CompileRecord& record) {
   for (const RecordedObject& object : record.objects) {
     for (const std::string& warning : object.warnings) print_warning(warning);
     for (const RecordedFile& file : object.inputs)
-      if (file.hash != kAbsent) files.insert(file.name);
+      if (!file.hash.starts_with(kAbsent)) files.insert(file.name);
   }
   fmt::print(
       "{}: is up to date, since {} and the options are as they were; --force compiles all "

@@ -14,6 +14,12 @@ CLI::App* add_convert_command(CLI::App& app, ConvertCommand& command) {
   CLI::App* convert = app.add_subcommand("convert", "Write a scene as a Bob scene.");
   convert->add_option("scene", command.scene, "scene or mesh to read")->required();
   convert->add_option("output", command.output, "Bob scene to write (.b)")->required();
+  convert
+      ->add_option("--missing-colour", command.missing_colour,
+                   "stands for colours that the scene names and that are not found, R,G,B of 1")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(0.0, 1.0));
   return convert;
 }
 
@@ -27,10 +33,15 @@ int run_convert(const ConvertCommand& command) {
     fmt::print(stderr, "aspectc: {} is both read and written; name another file\n", command.output);
     return 2;
   }
-  const Result<Scene> scene = read_scene(command.scene);
+  SceneReading reading;
+  if (!command.missing_colour.empty())
+    reading.colours.missing = Eigen::Vector3d(command.missing_colour.data());
+  const Result<Scene> scene = read_scene(command.scene, reading);
   if (!scene) return fail(scene.error());
   for (const std::string& warning : scene.value().warnings)
     fmt::print(stderr, "aspectc: warning: {}\n", warning);
+  for (const MissingColour& missing : scene.value().missing_colours)
+    fmt::print(stderr, "aspectc: warning: {}; --missing-colour stands for it\n", line_of(missing));
   const Result<std::string> text = write_bob(scene.value());
   if (!text) return fail(text.error());
   const auto* first = reinterpret_cast<const std::uint8_t*>(text.value().data());

@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace aspect {
 
 struct ConvertCommand {
   std::string scene, output;
+  std::vector<double> missing_colour;  // none: an error
 };
 
 CLI::App* add_convert_command(CLI::App& app, ConvertCommand& command);

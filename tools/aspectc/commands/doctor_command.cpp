@@ -72,11 +72,13 @@ Result<PreparedObject> written_object(const PreparedObject& object, const std::s
   if (lower_extension(file) == ".b") {  // which holds these already
     written.settings.surfaces.clear();
     written.settings.light = {};
-    written.settings.mesh = {};
+    written.settings.mesh.colours.clear();
   }
   Result<Scene> scene = read_scene(file);
   if (!scene) return Error{scene.error()};
   written.scene = std::move(scene).value();
+  // A colour that stood in is written like any other, and is as wrong.
+  written.scene.missing_colours = object.scene.missing_colours;
   if (auto done = apply_settings(written.settings, written.scene); !done)
     return Error{done.error()};
   return written;
@@ -143,7 +145,7 @@ CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command) {
 }
 
 int run_doctor(const DoctorCommand& command) {
-  const auto outcome = prepare_objects(command.file, flags_of(command));
+  const auto outcome = prepare_objects(command.file, flags_of(command), kUncoloured);
   if (const auto* error = std::get_if<PreparationError>(&outcome)) return fail(error->message);
   const auto& prepared = std::get<std::vector<PreparedObject>>(outcome);
   if (const std::string fault = fault_of(command, prepared); !fault.empty())

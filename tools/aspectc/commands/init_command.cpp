@@ -52,7 +52,7 @@ CLI::App* add_init_command(CLI::App& app, InitCommand& command) {
 int run_init(const InitCommand& command) {
   if (fs::path(command.scene).extension() == ".toml")
     return fail(command.scene + ": is a project itself; give a scene");
-  const Result<Scene> scene = read_prepared_scene(command.scene);
+  const Result<Scene> scene = read_prepared_scene(command.scene, kUncoloured);
   if (!scene) return fail(scene.error());
   const fs::path output(command.output.empty() ? scene.value().name + ".toml" : command.output);
   const std::string text = init_text(seen_from(output, command.scene).native(), scene.value());

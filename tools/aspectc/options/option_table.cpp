@@ -131,6 +131,11 @@ void add_light(std::vector<Option>& all) {
 
 void add_mesh(std::vector<Option>& all) {
   all.push_back(option(
+      {kMesh, "missing_colour", "--missing-colour", "r, g, b",
+       "stands for colours that the scene names and that are not found",
+       "without it a missing library, material, picture or name is an error"},
+      NumbersForm{3, {0, 1}}, [](auto& s) -> auto& { return s.mesh.missing_colour; }));
+  all.push_back(option(
       {kMesh, "merge_colours", "--merge-colours", "",
        "most colours of a mesh, into which all that it has are merged [as many as it has]",
        "4 to 12 for one that was scanned or shaded; aspectc doctor shows it in so many"},

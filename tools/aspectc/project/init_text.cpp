@@ -45,6 +45,8 @@ std::string colour_text(const Eigen::Vector3d& c) {
 // Where neither a default nor the scene has a value, the least there can be stands for it.
 OptionValue value_of(const Option& option, const CompileSettings& settings) {
   if (const auto value = option.get(settings)) return *value;
+  if (const auto* numbers = std::get_if<NumbersForm>(&option.form))
+    return std::vector<double>(numbers->count, numbers->range.least);
   const auto* whole = std::get_if<WholeForm>(&option.form);
   return whole != nullptr ? whole->range.least : 0;
 }

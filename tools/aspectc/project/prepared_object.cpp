@@ -44,20 +44,22 @@ std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesyste
   return planned;
 }
 
-MeshColours mesh_colours_of(const MeshSettings& mesh) {
+MeshColours mesh_colours(const MeshSettings& mesh) {
   MeshColours colours;
   for (const auto& [part, colour] : mesh.colours)
     colours.by_name.emplace(std::to_string(part), colour);
   if (mesh.merge_colours) colours.merged = static_cast<std::size_t>(*mesh.merge_colours);
+  if (mesh.missing_colour) colours.missing = Eigen::Vector3d(mesh.missing_colour->data());
   return colours;
 }
 
-Result<PreparedObject> prepare_object(const ProjectObject& object) {
+Result<PreparedObject> prepare_object(const ProjectObject& object, const StandIn& stand_in) {
   if (object.settings.mesh.merge_colours && lower_extension(object.scene) == ".b")
     return Error{object.scene.native() +
                  ": is a Bob scene, and colours are merged of meshes alone; leave merge_colours "
                  "out, or name its surfaces' colours with [[surface]]"};
-  const SceneReading reading{{}, mesh_colours_of(object.settings.mesh)};
+  SceneReading reading{{}, mesh_colours(object.settings.mesh)};
+  if (!reading.colours.missing) reading.colours.missing = stand_in;
   Result<Scene> scene = read_scene(object.scene, reading);
   if (!scene) return Error{scene.error()};
   PreparedObject prepared{object.scene, std::move(scene).value(), object.settings};
@@ -68,20 +70,21 @@ Result<PreparedObject> prepare_object(const ProjectObject& object) {
 }
 
 std::variant<std::vector<PreparedObject>, PreparationError> prepare_objects(
-    const std::filesystem::path& file, std::span<const GivenFlag> flags) {
+    const std::filesystem::path& file, std::span<const GivenFlag> flags, const StandIn& stand_in) {
   const auto planned = plan_objects(file, flags);
   if (const auto* error = std::get_if<PreparationError>(&planned)) return *error;
   std::vector<PreparedObject> prepared;
   for (const ProjectObject& object : std::get<PlannedObjects>(planned).objects) {
-    Result<PreparedObject> one = prepare_object(object);
+    Result<PreparedObject> one = prepare_object(object, stand_in);
     if (!one) return PreparationError{one.error()};
     prepared.push_back(std::move(one).value());
   }
   return prepared;
 }
 
-Result<PreparedObject> read_prepared_object(const std::filesystem::path& file) {
-  auto prepared = prepare_objects(file, {});
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file,
+                                            const StandIn& stand_in) {
+  auto prepared = prepare_objects(file, {}, stand_in);
   if (const auto* error = std::get_if<PreparationError>(&prepared)) return Error{error->message};
   auto& objects = std::get<std::vector<PreparedObject>>(prepared);
   if (objects.size() != 1)
@@ -90,8 +93,8 @@ Result<PreparedObject> read_prepared_object(const std::filesystem::path& file) {
   return std::move(objects.front());
 }
 
-Result<Scene> read_prepared_scene(const std::filesystem::path& file) {
-  Result<PreparedObject> object = read_prepared_object(file);
+Result<Scene> read_prepared_scene(const std::filesystem::path& file, const StandIn& stand_in) {
+  Result<PreparedObject> object = read_prepared_object(file, stand_in);
   if (!object) return Error{object.error()};
   return std::move(object).value().scene;
 }

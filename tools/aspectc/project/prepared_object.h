@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct PreparedObject {
   CompileSettings settings;
 };
 
+// A colour for those that are not found; without one they are errors.
+using StandIn = std::optional<Eigen::Vector3d>;
+
 struct PreparationError {
   std::string message;
   bool usage = false;
@@ -38,17 +42,20 @@ struct PreparationError {
 std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesystem::path& file,
                                                             std::span<const GivenFlag> flags);
 
-MeshColours mesh_colours_of(const MeshSettings& mesh);
-
-// Reads the scene.
-Result<PreparedObject> prepare_object(const ProjectObject& object);
+// Reads the scene. `stand_in` stands for colours that are not found where no option says one.
+Result<PreparedObject> prepare_object(const ProjectObject& object, const StandIn& stand_in = {});
 
 // Both in one.
 std::variant<std::vector<PreparedObject>, PreparationError> prepare_objects(
-    const std::filesystem::path& file, std::span<const GivenFlag> flags);
+    const std::filesystem::path& file, std::span<const GivenFlag> flags,
+    const StandIn& stand_in = {});
 
 // A scene file, or a project with a single object, for programs that render it.
-Result<PreparedObject> read_prepared_object(const std::filesystem::path& file);
-Result<Scene> read_prepared_scene(const std::filesystem::path& file);
+Result<PreparedObject> read_prepared_object(const std::filesystem::path& file,
+                                            const StandIn& stand_in = {});
+Result<Scene> read_prepared_scene(const std::filesystem::path& file, const StandIn& stand_in = {});
+
+// The colours that the settings say for the file's own.
+MeshColours mesh_colours(const MeshSettings& mesh);
 
 }  // namespace aspect

@@ -12,8 +12,9 @@ std::string content_hash(std::string_view bytes);
 
 inline constexpr const char* kAbsent = "absent";
 
-// The same of a regular file, in memory that does not grow with it; kAbsent where there is none,
-// "unreadable" where it cannot be read.
+// The same of a regular file, in memory that does not grow with it; "unreadable" where it cannot be
+// read. Where there is none, kAbsent and, if the folder has names that differ from it in case
+// alone, a hash of these: readers may take one of them for it.
 std::string content_hash_of_file(const std::filesystem::path& file);
 
 }  // namespace aspect
