@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kSceneFile = "scene_file";
 constexpr const char* kSceneText = "scene_text";
 constexpr const char* kOptions = "options";
+constexpr const char* kMergedColours = "merged_colours";
 
 // Every option once, for writing and for reading.
 template <typename Options, typename Visit>
@@ -99,7 +100,12 @@ Result<Scene> kept_scene(const Store& store, const std::string& hash) {
   if (!file) return Error{file.error()};
   Result<Scene> from_text = parse_bob(text.value(), file.value());
   if (from_text.ok() && hash_text(from_text.value()) == hash) return from_text;
-  return read_scene(file.value());
+  const Result<std::string> merged = store.note(kMergedColours);
+  if (!merged) return Error{merged.error()};
+  SceneReading reading;
+  std::size_t count = 0;
+  if (std::istringstream(merged.value()) >> count && count > 0) reading.colours.merged = count;
+  return read_scene(file.value(), reading);
 }
 
 }  // namespace
@@ -144,8 +150,11 @@ Result<Done> keep_recipe(Store& store, const Scene& scene, const CompileOptions&
   std::error_code unknown;
   const std::string file =
       scene.file.empty() ? "" : std::filesystem::absolute(scene.file, unknown).string();
-  for (const auto& [name, text] :
-       {std::pair{kSceneFile, file}, {kSceneText, scene.source}, {kOptions, options_text(options)}})
+  const std::string merged = scene.merged_colours ? std::to_string(*scene.merged_colours) : "";
+  for (const auto& [name, text] : {std::pair{kSceneFile, file},
+                                   {kSceneText, scene.source},
+                                   {kOptions, options_text(options)},
+                                   {kMergedColours, merged}})
     if (Result<Done> done = store.set_note(name, text); !done) return done;
   return Done{};
 }

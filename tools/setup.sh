@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
   libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
-  libassimp-dev libpng-dev
+  libassimp-dev libpng-dev libxxhash-dev
   libv4l-dev                                             # the camera's: formats that are not ours
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libopencv-dev  # the tools'
   pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs

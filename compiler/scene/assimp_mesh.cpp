@@ -5,11 +5,13 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "compiler/scene/bob_sources.h"
 #include "compiler/scene/mesh_text.h"
@@ -68,6 +70,23 @@ Material material_of(const aiMaterial& source) {
   return material;
 }
 
+// Files as they are on the disk; keeps the names of all that are asked for.
+class NotedFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit NotedFiles(std::set<std::string>& names) : names_(names) {}
+  bool Exists(const char* name) const override {
+    names_.insert(name);
+    return DefaultIOSystem::Exists(name);
+  }
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    names_.insert(name);
+    return DefaultIOSystem::Open(name, mode);
+  }
+
+ private:
+  std::set<std::string>& names_;
+};
+
 class AssimpReader {
  public:
   AssimpReader(const std::filesystem::path& file, const Vector3d& stand_in)
@@ -77,6 +96,7 @@ class AssimpReader {
 
   ColouredMesh read() {
     Assimp::Importer importer;
+    importer.SetIOHandler(new NotedFiles(files_));  // which the importer then owns
     find_undefined_materials();
     scene_ = importer.ReadFile(file_.string(), 0);
     if (scene_ == nullptr || scene_->mRootNode == nullptr)
@@ -87,6 +107,7 @@ class AssimpReader {
     add_nodes();
     textured_.add_to(mesh_);
     warn_of_uncoloured(mesh_, uncoloured_, faces_);
+    mesh_.files.insert(mesh_.files.end(), files_.begin(), files_.end());
     return std::move(mesh_);
   }
 
@@ -210,7 +231,7 @@ class AssimpReader {
       const auto* first = reinterpret_cast<const std::uint8_t*>(embedded->pcData);
       return {first, first + embedded->mWidth};
     }
-    const std::optional<NamedFile> found = find_named_file(file_.parent_path(), name);
+    const std::optional<NamedFile> found = find_named_file(file_.parent_path(), name, mesh_.files);
     if (!found) throw MeshError("is not there");
     if (found->guessed)
       mesh_.warnings.push_back(
@@ -224,6 +245,7 @@ class AssimpReader {
   const aiScene* scene_ = nullptr;
   std::size_t faces_ = 0, uncoloured_ = 0;
   std::vector<Material> materials_;
+  std::set<std::string> files_;         // all that the importer asked for
   std::vector<std::size_t> undefined_;  // materials; places in mesh_.missing
   TexturedFaces textured_;
   ColouredMesh mesh_;

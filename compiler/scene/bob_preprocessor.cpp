@@ -151,10 +151,14 @@ std::filesystem::path BobPreprocessor::path_named(std::string_view name,
                                                   const BobWord& word) const {
   const Place& written = word.macro.empty() ? word.place : word.macro_place;
   std::filesystem::path path = sources_.path(written.file).parent_path() / name;
-  std::error_code code;
-  if (std::filesystem::exists(path, code)) return path;
+  const auto is_there = [this](const std::filesystem::path& candidate) {
+    sources_.note(candidate);
+    std::error_code code;
+    return std::filesystem::exists(candidate, code);
+  };
+  if (is_there(path)) return path;
   for (const auto& folder : include_path_)
-    if (std::filesystem::exists(folder / name, code)) return folder / name;
+    if (is_there(folder / name)) return folder / name;
   return path;
 }
 

@@ -24,6 +24,7 @@ Result<Scene> parse_bob(std::string_view text, const std::filesystem::path& name
     Scene scene = BobParser(words, missing_colour).parse();
     scene.name = name.stem().string();
     scene.file = name.string();
+    scene.files = sources.noted();
     return scene;
   } catch (const BobError& error) {
     return Error{error.what()};
@@ -35,7 +36,9 @@ Result<Scene> read_bob(const std::filesystem::path& file,
                        const std::optional<Eigen::Vector3d>& missing_colour) {
   Result<std::string> text = load_text(file, BobSources::kMaxBytes);
   if (!text.ok()) return Error{fmt::format("{}: {}", file.string(), text.error())};
-  return parse_bob(text.value(), file, include_path, missing_colour);
+  Result<Scene> scene = parse_bob(text.value(), file, include_path, missing_colour);
+  if (scene) scene.value().files.push_back(file.string());
+  return scene;
 }
 
 }  // namespace aspect

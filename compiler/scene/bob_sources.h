@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/base/result.h"
 
@@ -35,6 +36,10 @@ class BobSources {
   std::uint32_t add(std::filesystem::path path, std::string text,
                     std::optional<Place> included_at = std::nullopt);
 
+  // A file that is read or looked for, beside the first.
+  void note(const std::filesystem::path& path) { noted_.push_back(path.string()); }
+  const std::vector<std::string>& noted() const { return noted_; }
+
   std::string_view text(std::uint32_t file) const { return sources_[file].text; }
   const std::filesystem::path& path(std::uint32_t file) const { return sources_[file].path; }
   std::size_t bytes_left() const { return kMaxBytes - bytes_; }
@@ -55,6 +60,7 @@ class BobSources {
   };
 
   std::deque<Source> sources_;
+  std::vector<std::string> noted_;
   std::size_t bytes_ = 0;
 };
 

@@ -45,6 +45,7 @@ struct ColouredMesh {
   std::vector<MeshPart> parts;
   std::vector<std::string> warnings;   // without the file's name
   std::vector<MissingColour> missing;  // a colour that the reader was given stands for them
+  std::vector<std::string> files;      // beside the mesh's own, that were read or looked for
 };
 
 // Of faces that have none.

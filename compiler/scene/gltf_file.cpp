@@ -219,15 +219,15 @@ const std::string& GltfFile::buffer(std::size_t index) {
   return place->second = std::move(*bytes);
 }
 
-std::optional<std::string> GltfFile::resource(const std::string& uri,
-                                              std::size_t most_bytes) const {
+std::optional<std::string> GltfFile::resource(const std::string& uri, std::size_t most_bytes) {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(";base64,");
     if (comma == std::string::npos) return std::nullopt;
     return base64_bytes(std::string_view(uri).substr(comma + 8));
   }
-  std::optional<NamedFile> found = find_named_file(file_.parent_path(), without_percents(uri));
-  if (!found) found = find_named_file(file_.parent_path(), uri);
+  std::optional<NamedFile> found =
+      find_named_file(file_.parent_path(), without_percents(uri), asked_);
+  if (!found) found = find_named_file(file_.parent_path(), uri, asked_);
   if (!found) return std::nullopt;
   Result<std::string> bytes = load_text(found->path, most_bytes);
   if (!bytes) throw MeshError(bytes.error(), 0, found->path.string());

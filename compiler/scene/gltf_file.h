@@ -29,12 +29,15 @@ class GltfFile {
 
   std::string_view buffer_view(std::size_t index);
   // The bytes of a data URI, or of a file beside this one. Nothing where it is not there.
-  std::optional<std::string> resource(const std::string& uri, std::size_t most_bytes) const;
+  std::optional<std::string> resource(const std::string& uri, std::size_t most_bytes);
+  // The paths at which any was looked for.
+  const std::vector<std::string>& asked() const { return asked_; }
 
  private:
   const std::string& buffer(std::size_t index);
 
   const std::filesystem::path& file_;
+  std::vector<std::string> asked_;
   Json root_;
   std::string_view binary_;  // of a .glb file
   std::map<std::size_t, std::string> buffers_;

@@ -80,6 +80,7 @@ class GltfReader {
     add_nodes();
     textured_.add_to(mesh_);
     warn_of_uncoloured(mesh_, uncoloured_, faces_);
+    mesh_.files = gltf_.asked();
     return std::move(mesh_);
   }
 

@@ -58,6 +58,9 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
                            colour.cure, '\0');
   write_text(descriptor, missing);
   for (const MissingColour& colour : mesh.missing) write_list(descriptor, colour.parts);
+  std::string files;
+  for (const std::string& file : mesh.files) files += file + '\0';
+  write_text(descriptor, files);
 }
 
 [[noreturn]] void run_child(int descriptor, const std::function<ColouredMesh()>& read) {
@@ -160,6 +163,7 @@ ColouredMesh mesh_in(Answer& answer) {
   for (std::size_t k = 0; k + 3 < missing.size(); k += 4)
     mesh.missing.push_back({missing[k], std::strtoull(missing[k + 1].c_str(), nullptr, 10),
                             missing[k + 2], missing[k + 3], answer.list<std::uint32_t>()});
+  mesh.files = answer.texts();
   if (mesh.colours.size() != mesh.triangles.size() || mesh.part_of.size() != mesh.triangles.size())
     fail_broken();
   return mesh;

@@ -99,8 +99,10 @@ ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vect
 }  // namespace
 
 Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours) {
-  return scene_from(file, colours,
-                    [&] { return read_triangles(file, colours.missing.value_or(kUncoloured)); });
+  Result<Scene> scene = scene_from(
+      file, colours, [&] { return read_triangles(file, colours.missing.value_or(kUncoloured)); });
+  if (scene) scene.value().files.push_back(file.string());
+  return scene;
 }
 
 Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file,

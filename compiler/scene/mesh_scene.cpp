@@ -9,6 +9,7 @@
 #include <cstring>
 #include <set>
 
+#include "compiler/scene/colour_merging.h"
 #include "compiler/scene/colour_palette.h"
 #include "compiler/scene/mesh_pieces.h"
 #include "compiler/scene/picture_fit.h"
@@ -156,13 +157,21 @@ std::string source_of(const Scene& scene) {
 
 }  // namespace
 
+std::string repaint(ColouredMesh& mesh, const MeshColours& colours) {
+  if (std::string fault = fault_of(mesh); !fault.empty()) return fault;
+  if (std::string fault = replace_colours(mesh, colours); !fault.empty()) return fault;
+  if (colours.merged) merge_colours(mesh, *colours.merged);
+  return {};
+}
+
 Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours) {
-  if (const std::string fault = fault_of(mesh); !fault.empty()) return Error{fault};
-  if (const std::string fault = replace_colours(mesh, colours); !fault.empty()) return Error{fault};
+  if (const std::string fault = repaint(mesh, colours); !fault.empty()) return Error{fault};
   for (Vector3d& vertex : mesh.vertices)
     if (!vertex.allFinite()) vertex.setZero();  // of no face
   Scene scene;
   scene.warnings = std::move(mesh.warnings);
+  scene.files = std::move(mesh.files);
+  scene.merged_colours = colours.merged;
   scene.missing_colours = still_missing(mesh, colours);
   scene.studio.ambient = {1, 1, 1};
   std::vector<SurfaceTriangle> triangles = with_surfaces(mesh, scene);

@@ -16,9 +16,14 @@ namespace aspect {
 // number in the file, from "0". A part's name wins over its material's, and that over its number.
 struct MeshColours {
   std::map<std::string, Eigen::Vector3d> by_name;
+  // Then all are merged into so many (colour_merging.h).
+  std::optional<std::size_t> merged = std::nullopt;
   // Stands for every colour that the file names and that is not found; without it that is an error.
   std::optional<Eigen::Vector3d> missing = std::nullopt;
 };
+
+// Paints the mesh so. Empty, or what is wrong: with the mesh, or a name that it does not have.
+std::string repaint(ColouredMesh& mesh, const MeshColours& colours);
 
 // One primitive for each piece of surface: triangles of one colour that are joined by edges. Flat
 // simple pieces become polygons. Colours at most 2/255 apart are one surface. Past 65534 pieces all

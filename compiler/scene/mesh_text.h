@@ -42,7 +42,8 @@ std::string_view rest_of_line(std::string_view line, std::string_view word);
 
 std::string lower_case(std::string_view word);
 
-// The text itself, or where carriage returns alone end its lines the same with line feeds, in `held`.
+// The text itself, or where carriage returns alone end its lines the same with line feeds, in
+// `held`.
 std::string_view with_line_feeds(std::string_view text, std::string& held);
 
 // UTF-8's, which some editors write in front.

@@ -51,16 +51,22 @@ std::optional<fs::path> find_in_any_case(const fs::path& path) {
 
 }  // namespace
 
-std::optional<NamedFile> find_named_file(const fs::path& folder, std::string_view name) {
+std::optional<NamedFile> find_named_file(const fs::path& folder, std::string_view name,
+                                         std::vector<std::string>& asked) {
   if (name.empty() || name.size() > kMostLetters || name.find('\0') != std::string_view::npos)
     return std::nullopt;
-  if (const fs::path plain = folder / name; is_file(plain)) return NamedFile{plain, false};
+  const auto noted = [&](const fs::path& path) {
+    asked.push_back(path.string());
+    return path;
+  };
+  if (const fs::path plain = noted(folder / name); is_file(plain)) return NamedFile{plain, false};
   std::string slashes(name);
   std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  if (const fs::path turned = folder / slashes; is_file(turned)) return NamedFile{turned, false};
-  if (const auto found = find_in_any_case(folder / slashes)) return NamedFile{*found, true};
-  if (const auto found = find_in_any_case(folder / fs::path(slashes).filename()))
-    return NamedFile{*found, true};
+  const fs::path turned = noted(folder / slashes);
+  if (is_file(turned)) return NamedFile{turned, false};
+  const fs::path last_part = folder / fs::path(slashes).filename();
+  for (const fs::path& path : {turned, last_part})
+    if (const auto found = find_in_any_case(noted(path))) return NamedFile{noted(*found), true};
   return std::nullopt;
 }
 

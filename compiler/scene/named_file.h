@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace aspect {
 
@@ -14,8 +16,9 @@ struct NamedFile {
 
 // The regular file that `name` means, written in a file of `folder`: as it stands, with backslashes
 // for slashes, then the same of its last part alone; each time also where case alone differs,
-// unless several files fit. Nothing where there is none.
-std::optional<NamedFile> find_named_file(const std::filesystem::path& folder,
-                                         std::string_view name);
+// unless several files fit. Nothing where there is none. Each path that is looked at is added to
+// `asked`, as is the one that is found.
+std::optional<NamedFile> find_named_file(const std::filesystem::path& folder, std::string_view name,
+                                         std::vector<std::string>& asked);
 
 }  // namespace aspect

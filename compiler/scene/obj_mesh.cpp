@@ -82,7 +82,7 @@ class ObjReader {
   }
 
   bool load_file(std::string_view name, std::size_t line) {
-    const std::optional<NamedFile> found = find_named_file(file_.parent_path(), name);
+    const std::optional<NamedFile> found = find_named_file(file_.parent_path(), name, mesh_.files);
     if (!found) return false;
     if (found->guessed)
       mesh_.warnings.push_back(fmt::format("mtllib '{}' of line {} is taken to be {}", shown(name),
@@ -226,8 +226,8 @@ class ObjReader {
 
   TexturedFaces::Picture& picture_of(const MtlMaterial& material) {
     std::optional<NamedFile> found =
-        find_named_file(material.library.parent_path(), material.picture);
-    if (!found) found = find_named_file(file_.parent_path(), material.picture);
+        find_named_file(material.library.parent_path(), material.picture, mesh_.files);
+    if (!found) found = find_named_file(file_.parent_path(), material.picture, mesh_.files);
     const std::string key = found ? found->path.string() : material.picture;
     return textured_.picture(key, [&]() -> std::vector<std::uint8_t> {
       if (!found) throw MeshError("is not there");

@@ -20,8 +20,7 @@ class PlyPictures {
   // Null where it is not found, which is told once.
   TexturedFaces::Picture* find(std::size_t texture, ColouredMesh& mesh) {
     const PlyTexture& named = textures_[texture];
-    TexturedFaces::Picture& picture =
-        faces_.picture(named.name, [&] { return load(named, mesh.warnings); });
+    TexturedFaces::Picture& picture = faces_.picture(named.name, [&] { return load(named, mesh); });
     if (picture.texture) return &picture;
     if (!told_[texture])
       mesh.missing.push_back({{},
@@ -36,12 +35,12 @@ class PlyPictures {
   void add_to(ColouredMesh& mesh) const { faces_.add_to(mesh); }
 
  private:
-  std::vector<std::uint8_t> load(const PlyTexture& texture, std::vector<std::string>& warnings) {
-    const std::optional<NamedFile> found = find_named_file(folder_, texture.name);
+  std::vector<std::uint8_t> load(const PlyTexture& texture, ColouredMesh& mesh) {
+    const std::optional<NamedFile> found = find_named_file(folder_, texture.name, mesh.files);
     if (!found) throw MeshError("is not there");
     if (found->guessed)
-      warnings.push_back(fmt::format("texture '{}' of line {} is taken to be {}",
-                                     shown(texture.name), texture.line, found->path.string()));
+      mesh.warnings.push_back(fmt::format("texture '{}' of line {} is taken to be {}",
+                                          shown(texture.name), texture.line, found->path.string()));
     return load_picture(found->path);
   }
 

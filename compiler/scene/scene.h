@@ -156,7 +156,11 @@ struct Scene {
   std::vector<MissingColour> missing_colours;  // that another was given to stand for
   // What a store's key hashes: a Bob scene's preprocessed words, normalised; a mesh's digest.
   std::string source;
-  SourceFromObject source_from_object;  // of meshes, which are centred and scaled to fit
+  SourceFromObject source_from_object;        // of meshes, which are centred and scaled to fit
+  std::optional<std::size_t> merged_colours;  // of a mesh whose colours were merged: into so many
+  // Every file that was read or looked for, there or not: while what these names hold stays the
+  // same, so does the scene.
+  std::vector<std::string> files;
 };
 
 // Smallest radius of a sphere about the origin that holds every primitive (for cones and rings

@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view kGroup = "colours";
 constexpr double kSomeMerge = 0.1;  // of a border's pixels; fewer are single ones at its ends
 constexpr std::size_t kLeastBorder_px = 40, kMostPairs = 20;
+constexpr std::size_t kMostDark = 5;         // more are told in one
 constexpr std::size_t kMostCompared = 2000;  // colours, each with each
 
 using Pair = std::pair<std::size_t, std::size_t>;
@@ -79,6 +80,28 @@ Finding alike_note(const Sight& sight) {
   note.message =
       fmt::format("touching surfaces of one colour, each pair one contour: {} pairs", note.count);
   return note;
+}
+
+struct Seen {
+  std::size_t pixels = 0, dark = 0;  // dark: counted as background
+};
+
+Finding dark_surface(const Scene& scene, const ColourGroups& groups, std::size_t group,
+                     const Seen& seen, const VisionParameters& vision) {
+  const Eigen::Vector3d& colour = groups.groups[group].seen;
+  const auto share = static_cast<double>(seen.dark) / static_cast<double>(seen.pixels);
+  return {
+      kGroup,
+      "dark_surface",
+      scene.lights.empty() ? Severity::error : Severity::warning,
+      fmt::format("{} has r + g + b of {:.0f} at most and counts as background below {}: {:.0f} "
+                  "% of it is lost",
+                  colour_words(colour), intensity_seen(colour, vision), vision.intensity_min,
+                  100 * share),
+      "brighten the colour or the light, or lower intensity_min",
+      seen.dark,
+      primitives_of(groups, group),
+      false};
 }
 
 bool by_colour(const VisionParameters& vision) {
@@ -171,28 +194,28 @@ std::vector<Finding> check_borders(const Scene& scene, const ColourGroups& group
 std::vector<Finding> check_darkness(const Scene& scene, const ColourGroups& groups,
                                     const Sight& sight, const VisionParameters& vision) {
   if (!by_colour(vision)) return {};
-  std::vector<Finding> findings;
-  for (std::size_t group = 0; group < groups.groups.size() && findings.size() < kMostPairs;
-       ++group) {
-    std::size_t seen = 0, dark = 0;
-    for (std::size_t k = 0; k < sight.parts.size(); ++k) {
-      if (groups.group_of[k] != group) continue;
-      seen += sight.parts[k].seen_px;
-      dark += sight.parts[k].dark_px;
-    }
-    if (2 * dark <= seen) continue;
-    const auto share = static_cast<double>(dark) / static_cast<double>(seen);
-    findings.push_back(
-        {kGroup, "dark_surface", scene.lights.empty() ? Severity::error : Severity::warning,
-         fmt::format("{} has r + g + b of {:.0f} at most and counts as background below {}: {:.0f} "
-                     "% of it is lost",
-                     colour_words(groups.groups[group].seen),
-                     intensity_seen(groups.groups[group].seen, vision), vision.intensity_min,
-                     100 * share),
-         "brighten the colour or the light, or lower intensity_min", dark,
-         primitives_of(groups, group), false});
+  std::vector<Seen> seen(groups.groups.size());
+  double whole_px = 0, lost_px = 0;
+  for (std::size_t k = 0; k < sight.parts.size(); ++k) {
+    whole_px += static_cast<double>(sight.parts[k].seen_px);
+    if (groups.group_of[k] == ColourGroups::kNone) continue;
+    seen[groups.group_of[k]].pixels += sight.parts[k].seen_px;
+    seen[groups.group_of[k]].dark += sight.parts[k].dark_px;
   }
-  return findings;
+  std::vector<Finding> findings;
+  for (std::size_t group = 0; group < seen.size(); ++group) {
+    if (2 * seen[group].dark <= seen[group].pixels) continue;
+    lost_px += static_cast<double>(seen[group].dark);
+    findings.push_back(dark_surface(scene, groups, group, seen[group], vision));
+  }
+  if (findings.size() <= kMostDark) return findings;
+  Finding all = findings.front();
+  all.message = fmt::format(
+      "{} colours are so dark that they count as background below {}: {:.0f} % of the "
+      "surface is lost",
+      findings.size(), vision.intensity_min, 100 * lost_px / whole_px);
+  all.count = static_cast<std::size_t>(lost_px);
+  return {all};
 }
 
 }  // namespace aspect

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/scene/mesh_reader.h"
 #include "compiler/scene/scene_reader.h"
 #include "tools/doctor/colour_checks.h"
+#include "tools/doctor/colour_crowd.h"
+#include "tools/doctor/merged_colours.h"
 #include "tools/doctor/topology_checks.h"
 #include "tools/doctor/visibility_checks.h"
 
@@ -17,12 +20,31 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-Result<std::vector<Finding>> mesh_findings(const PreparedObject& object) {
-  const Result<ColouredMesh> mesh = read_coloured_mesh(object.scene_file);
-  if (!mesh) return Error{mesh.error()};
+std::vector<Finding> mesh_findings(const PreparedObject& object, const ColouredMesh& mesh) {
   const std::string extension = lower_extension(object.scene_file);
-  std::vector<Finding> findings = check_topology(face_set_of(mesh.value())).findings;
-  append(findings, check_unit(mesh.value(), extension == ".gltf" || extension == ".glb"));
+  std::vector<Finding> findings = check_topology(face_set_of(mesh)).findings;
+  append(findings, check_unit(mesh, extension == ".gltf" || extension == ".glb"));
+  return findings;
+}
+
+// Of an object with one mesh; empty where its colours are not merged.
+Result<std::vector<Finding>> merging_findings(const PreparedObject& object, ColouredMesh mesh) {
+  MeshColours colours = mesh_colours(object.settings.mesh);
+  const std::optional<std::size_t> count = std::exchange(colours.merged, std::nullopt);
+  if (!count) return std::vector<Finding>{};
+  if (const std::string fault = repaint(mesh, colours); !fault.empty())
+    return Error{fmt::format("{}: {}", object.scene_file.native(), fault)};
+  return std::vector{
+      merging_finding(mesh, *count, object.settings.options.vision, object.scene_file.string())};
+}
+
+std::vector<Finding> colour_findings(const PreparedObject& object, const ColourGroups& groups,
+                                     const Sight& sight, const ColourCrowd& crowd) {
+  if (crowd.is_one())
+    return {crowd_finding(crowd, groups, is_mesh(object), object.scene_file.string())};
+  const VisionParameters& vision = object.settings.options.vision;
+  std::vector<Finding> findings = check_colours(groups, vision);
+  append(findings, check_borders(object.scene, groups, sight, vision));
   return findings;
 }
 
@@ -63,10 +85,14 @@ Result<Diagnosis> diagnose(const PreparedObject& object) {
   const Result<Renderer> renderer = Renderer::create(scene);
   if (!renderer) return Error{fmt::format("{}: {}", object.scene_file.native(), renderer.error())};
   Diagnosis diagnosis{scene.name, scene.primitives.size(), {}};
+  std::vector<Finding> merging;
   if (is_mesh(object)) {
-    Result<std::vector<Finding>> findings = mesh_findings(object);
-    if (!findings) return Error{findings.error()};
-    append(diagnosis.findings, std::move(findings).value());
+    Result<ColouredMesh> mesh = read_coloured_mesh(object.scene_file);
+    if (!mesh) return Error{mesh.error()};
+    append(diagnosis.findings, mesh_findings(object, mesh.value()));
+    Result<std::vector<Finding>> found = merging_findings(object, std::move(mesh).value());
+    if (!found) return Error{found.error()};
+    merging = std::move(found).value();
   } else {
     append(diagnosis.findings, check_topology(face_set_of(scene)).findings);
     append(diagnosis.findings, check_rims(scene));
@@ -75,11 +101,13 @@ Result<Diagnosis> diagnose(const PreparedObject& object) {
   append(diagnosis.findings, check_place(scene, distance));
   append(diagnosis.findings, check_missing(scene, object.settings.mesh.missing_colour.has_value()));
   const ColourGroups groups = colour_groups(scene);
-  append(diagnosis.findings, check_colours(groups, vision));
   const Sight sight = look_around(scene, renderer.value(), groups, vision, distance.far);
-  append(diagnosis.findings, check_borders(scene, groups, sight, vision));
+  const ColourCrowd crowd = find_crowd(groups, sight, vision);
+  append(diagnosis.findings, std::move(merging));
+  append(diagnosis.findings, colour_findings(object, groups, sight, crowd));
   append(diagnosis.findings, check_darkness(scene, groups, sight, vision));
-  append(diagnosis.findings, check_visibility(sight, vision, distance.far));
+  const auto is_crumb = [&](std::size_t part) { return crowd.has_primitive(groups, part); };
+  append(diagnosis.findings, check_visibility(sight, vision, distance.far, is_crumb));
   return diagnosis;
 }
 

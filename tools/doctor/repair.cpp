@@ -96,7 +96,9 @@ Result<Done> mend_mesh(const PreparedObject& object, Repair& repaired) {
   const Topology topology = check_topology(set);
   note_done(topology, repaired.done);
   repaired.mesh = repaired_mesh(mesh.value(), set, topology);
-  Result<Scene> scene = scene_of_mesh(*repaired.mesh, colours);
+  if (const std::string fault = repaint(*repaired.mesh, colours); !fault.empty())
+    return Error{fmt::format("{}: {}", object.scene_file.native(), fault)};
+  Result<Scene> scene = scene_of_mesh(*repaired.mesh);
   if (!scene) return Error{fmt::format("{}: {}", object.scene_file.native(), scene.error())};
   repaired.scene = std::move(scene).value();
   repaired.scene.name = object.scene.name;

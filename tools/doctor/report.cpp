@@ -69,6 +69,9 @@ bool DoctorReport::is_healthy() const {
 std::string report_text(const DoctorReport& report) {
   std::string text;
   for (const Diagnosis& object : report.objects) add(object, text);
+  for (const std::string& picture : report.pictures)
+    text +=
+        fmt::format("{}: written, as it is on the left, in merged colours on the right\n", picture);
   if (!report.fix) return text;
   text += fmt::format("{}: written\n", report.fix->output);
   for (const std::string& line : report.fix->done) text += fmt::format("    {}\n", line);
@@ -85,6 +88,7 @@ std::string report_text(const DoctorReport& report) {
 std::string report_json(const DoctorReport& report) {
   Json json = {{"file", report.file}, {"objects", Json::array()}};
   for (const Diagnosis& object : report.objects) json["objects"].push_back(json_of(object));
+  if (!report.pictures.empty()) json["pictures"] = report.pictures;
   if (report.fix) {
     Json moves = Json::array();
     for (const ColourMove& move : report.fix->moves)

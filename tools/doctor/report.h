@@ -20,6 +20,7 @@ struct FixReport {
 struct DoctorReport {
   std::string file;
   std::vector<Diagnosis> objects;
+  std::vector<std::string> pictures;  // files
   std::optional<FixReport> fix;
 
   bool is_healthy() const;

@@ -38,13 +38,14 @@ bool is_dark(const Sight::Part& part) {
 }  // namespace
 
 std::vector<Finding> check_visibility(const Sight& sight, const VisionParameters& vision,
-                                      double distance) {
+                                      double distance,
+                                      const std::function<bool(std::size_t)>& is_known) {
   Lost small, thin, merged, hidden;
   for (std::size_t k = 0; k < sight.parts.size(); ++k) {
     const Sight::Part& part = sight.parts[k];
     if (part.most_px == 0)
       hidden.add(k, 0);
-    else if (part.kept_px > 0 || is_dark(part))
+    else if (part.kept_px > 0 || is_dark(part) || (is_known && is_known(k)))
       continue;
     else if (part.most_px < static_cast<std::size_t>(vision.area_min_px))
       small.add(k, part.most_px);

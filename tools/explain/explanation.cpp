@@ -3,11 +3,27 @@
 #include <algorithm>
 
 #include "compiler/compile.h"
+#include "compiler/scene/scene_reader.h"
+#include "tools/doctor/colour_crowd.h"
 #include "tools/explain/blind_spots.h"
 #include "tools/explain/colour_cure.h"
 #include "tools/explain/confusions.h"
 
 namespace aspect {
+namespace {
+
+// Colours are merged of meshes alone.
+std::optional<CrowdedColours> crowded_colours(const EvaluatedObject& object, const Scene& scene,
+                                              const VisionParameters& vision) {
+  if (scene.file.empty() || lower_extension(scene.file) == ".b") return std::nullopt;
+  const ColourGroups groups = colour_groups(scene);
+  const Sight sight = look_around(scene, object.renderer, groups, vision, scene.studio.distance);
+  const ColourCrowd crowd = find_crowd(groups, sight, vision);
+  if (!crowd.is_one()) return std::nullopt;
+  return CrowdedColours{groups.groups.size(), crowd.share, crowd.enough};
+}
+
+}  // namespace
 
 Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
                             const ExplainSettings& settings) {
@@ -45,6 +61,10 @@ Result<Explanation> explain(const std::filesystem::path& store, const Recipe& re
   e.faces = faces.all;
   e.confusions = aspect_confusions(trials, faces);
   e.face_confusions = face_confusions(trials, faces, vision);
+  e.scene_file = recipe.scene.file;
+  e.merged_colours = recipe.scene.merged_colours;
+  e.crowded = crowded_colours(object, recipe.scene, vision);
+  if (e.crowded) return e;
   const std::vector<ColourChange> changes = colour_changes(e.face_confusions, faces, vision);
   if (changes.empty()) return e;
   Result<Cure> cure = try_changes(recipe, changes, faces, trials, settings);

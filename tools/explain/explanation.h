@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,8 +76,15 @@ struct Cure {
   Accuracy after;
 };
 
+// Of a mesh with so many colours that touch others like them that painting one cures nothing.
+struct CrowdedColours {
+  std::size_t colours = 0;
+  double share = 0;        // of the surface that is seen, in such colours
+  std::size_t enough = 0;  // so many show nearly all of the surface as it is
+};
+
 struct Explanation {
-  std::string object, store;
+  std::string object, store, scene_file;
   int views = 0;
   std::size_t aspects = 0;
   std::vector<std::array<float, 4>> symmetries;
@@ -90,7 +98,9 @@ struct Explanation {
   std::vector<Face> faces;
   std::vector<AspectConfusion> confusions;  // most views first
   std::vector<FaceConfusion> face_confusions;
-  Cure cure;  // without changes where none would help
+  std::optional<CrowdedColours> crowded;      // then no changes are looked for
+  std::optional<std::size_t> merged_colours;  // of a mesh whose colours were merged: into so many
+  Cure cure;                                  // without changes where none would help
 };
 
 // Makes the model of a store again, which renders nothing new, and puts it to the test.

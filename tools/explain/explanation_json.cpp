@@ -98,6 +98,11 @@ std::string explanation_json(const Explanation& e) {
             {"failing_spots", spots_json(e.failing_spots)},
             {"confusions", confusions_json(e)},
             {"face_confusions", face_confusions_json(e)}};
+  if (e.merged_colours) json["merged_colours"] = *e.merged_colours;
+  if (e.crowded)
+    json["crowded_colours"] = {{"colours", e.crowded->colours},
+                               {"share", e.crowded->share},
+                               {"merge_colours", e.crowded->enough}};
   if (!e.cure.changes.empty()) json["cure"] = cure_json(e);
   return json.dump(2) + "\n";
 }

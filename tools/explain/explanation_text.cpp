@@ -88,6 +88,13 @@ void add_confusions(const Explanation& e, std::string& text) {
 
 void add_cure(const Explanation& e, std::string& text) {
   const Cure& cure = e.cure;
+  if (e.crowded) {
+    text += fmt::format(
+        "cure: merge the mesh's {} colours, since {:.0f} % of it is in ones that touch others too "
+        "like them: aspectc {} --merge-colours {} --store NEW.store; aspectc doctor shows it so\n",
+        e.crowded->colours, 100 * e.crowded->share, e.scene_file, e.crowded->enough);
+    return;
+  }
   if (cure.changes.empty()) {
     if (e.wrong_views > 0)
       text += "cure: none by colour; the surfaces that are mistaken differ in colour already\n";
@@ -97,6 +104,11 @@ void add_cure(const Explanation& e, std::string& text) {
     text += fmt::format("cure: paint {} {} [{}], {:.1f} steps from every other surface\n",
                         name(e.faces[change.face]), change.colour_name, colour(change.colour),
                         change.separation);
+  if (e.merged_colours)
+    text += fmt::format(
+        "  of the mesh in {} colours: a [[surface]] of that colour, and merge_colours = {} under "
+        "[mesh], in a project\n",
+        *e.merged_colours, *e.merged_colours);
   text += fmt::format(
       "  tried at level {}: {} of the {} wrong views are right then; wrong views {} before, {} "
       "after\n",

@@ -75,8 +75,8 @@ TEST_CASE("a scene becomes an index of its name, here, beside its store") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   CHECK_THAT(outcome.out, StartsWith("part.aspect: ") && Contains("classes cover"));
-  CHECK(here.files() ==
-        std::vector<std::string>{"err", "out", "part.aspect", "part.b", "part.store"});
+  CHECK(here.files() == std::vector<std::string>{"err", "out", "part.aspect", "part.aspect.inputs",
+                                                 "part.b", "part.store"});
   const ClassIndex index = load_index(here.file("part.aspect")).value();
   CHECK(index.object == "part");
   CHECK(index.level == 3);

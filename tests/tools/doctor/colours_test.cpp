@@ -1,9 +1,11 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/aspects/colour_separation.h"
+#include "compiler/scene/mesh_scene.h"
 #include "tests/compiler/aspects/symmetric_scenes.h"
 #include "tests/tools/doctor/sick_meshes.h"
 #include "tools/doctor/colour_checks.h"
+#include "tools/doctor/colour_crowd.h"
 #include "tools/doctor/colour_moves.h"
 #include "tools/doctor/placement_checks.h"
 #include "tools/doctor/visibility_checks.h"
@@ -199,6 +201,63 @@ TEST_CASE("a file of metres that measures 80 is guessed to be in millimetres") {
   CHECK(check_unit(cuboid({-.04, -.03, -.02}, {.04, .03, .02}), true).empty());
   CHECK(codes_of(check_unit(cuboid({-1e7, -1, -1}, {1e7, 1, 1}), false)) == Codes{"wrong_scale"});
   CHECK(codes_of(check_unit(cuboid({0, 0, 0}, {.1, .1, .1}), true)) == Codes{"origin_elsewhere"});
+}
+
+namespace {
+
+struct Crowded {
+  ColourGroups groups;
+  ColourCrowd crowd;
+};
+
+Crowded crowd_of(const Patient& patient) {
+  ColourGroups groups = colour_groups(patient.scene);
+  ColourCrowd crowd = find_crowd(groups, patient.sight(), patient.vision);
+  return {std::move(groups), std::move(crowd)};
+}
+
+}  // namespace
+
+TEST_CASE("a shaded ball's colours are one crowd, on all of it, of as many paints as it has") {
+  const Patient ball{scene_of_mesh(shaded_ball()).value(), {}};
+  const auto [groups, crowd] = crowd_of(ball);
+  CHECK(groups.groups.size() > 600);
+  CHECK(crowd.is_one());
+  CHECK(crowd.share > .98);
+  CHECK(crowd.enough == ball_paints().size());
+  const Finding finding = crowd_finding(crowd, groups, true, "ball.ply");
+  CHECK_THAT(finding.message, Catch::Contains("100 % of the surface"));
+  CHECK_THAT(finding.cure, Catch::Contains("aspectc doctor ball.ply --merge-colours 5"));
+  CHECK_FALSE(finding.can_fix);
+  CHECK(crowd_finding(crowd, groups, false, "ball.b").can_fix);
+}
+
+TEST_CASE("the share of a crowd is that of the surface that it is on") {
+  // The caps in all their shades, the rest in two colours.
+  ColouredMesh mesh = shaded_ball();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.part_of[t] != 4) mesh.colours[t] = ball_paints()[mesh.part_of[t] % 2];
+  double caps = 0, whole = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const double area =
+        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+    whole += area;
+    if (mesh.part_of[t] == 4) caps += area;
+  }
+  const auto [groups, crowd] = crowd_of({scene_of_mesh(mesh).value(), {}});
+  CHECK(crowd.is_one());
+  CHECK(crowd.share == Approx(caps / whole).margin(.05));
+  CHECK(crowd.enough == 3);
+}
+
+TEST_CASE("a few pairs that are alike are no crowd") {
+  Patient sick = block();
+  paint(sick.scene, 2, kNearRed);
+  const auto [groups, crowd] = crowd_of(sick);
+  CHECK(crowd.pairs == 1);
+  CHECK_FALSE(crowd.is_one());
+  for (std::size_t k = 0; k < 6; ++k) CHECK_FALSE(crowd.has_primitive(groups, k));
 }
 
 }  // namespace aspect

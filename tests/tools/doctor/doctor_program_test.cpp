@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <tuple>
 
@@ -200,6 +201,79 @@ TEST_CASE("files that cannot be read, and outputs that make no sense, are refuse
                "sphere { center 0 0 0 radius .3 }\n");
   check_refused(run({"checks.b", "--fix", "out.b"}), 1, "textures");
   CHECK_FALSE(fs::exists(folder.path() / "out.b"));
+}
+
+TEST_CASE("a shaded mesh gets one warning of its colours, with the share and the cure") {
+  const TemporaryFolder folder;
+  folder.write("ball.ply", ply_text(shaded_ball()));
+  const Examined sick = examine(folder.path(), {"ball.ply"});
+  CHECK(sick.exit_code == 1);
+  std::vector<Json> told;
+  for (const Json& finding : sick.json["objects"][0]["findings"])
+    if (finding["group"] == "colours" || finding["group"] == "visibility") told.push_back(finding);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0]["code"] == "crowded_colours");
+  CHECK_THAT(told[0]["message"].get<std::string>(), Catch::Contains("% of the surface"));
+  CHECK_THAT(told[0]["cure"].get<std::string>(), Catch::Contains("--merge-colours 5"));
+}
+
+TEST_CASE("merged colours are judged and shown: each half of the picture has its own") {
+  const TemporaryFolder folder;
+  folder.write("ball.ply", ply_text(shaded_ball()));
+  const Examined merged = examine(folder.path(), {"ball.ply", "--merge-colours", "5"});
+  CHECK(merged.codes().count("crowded_colours") == 0);
+  const auto& findings = merged.json["objects"][0]["findings"];
+  const auto note = std::find_if(findings.begin(), findings.end(), [](const Json& finding) {
+    return finding["code"] == "merged_colours";
+  });
+  REQUIRE(note != findings.end());
+  CHECK_THAT((*note)["message"].get<std::string>(), Catch::Contains("colours are 5 now"));
+  CHECK_THAT((*note)["cure"].get<std::string>(),
+             Catch::Contains("aspectc ball.ply --merge-colours 5"));
+  CHECK(merged.json["pictures"] == Json{"ball.colours.png"});
+  const cv::Mat picture = cv::imread((folder.path() / "ball.colours.png").string());
+  REQUIRE(picture.cols > 1000);
+  const auto colours_in = [&](int left) {
+    std::set<std::array<std::uint8_t, 3>> colours;
+    for (int y = 16; y < 500; ++y)
+      for (int x = left; x < left + 500; ++x) {
+        const auto& pixel = picture.at<cv::Vec3b>(y, x);
+        colours.insert({pixel[0], pixel[1], pixel[2]});
+      }
+    return colours.size();
+  };
+  CHECK(colours_in(8) > 100);
+  CHECK(colours_in(picture.cols / 2 + 8) == 5);  // four paints are in sight, and the background
+}
+
+TEST_CASE("merged colours go into an index and a store, and explain knows them") {
+  const TemporaryFolder folder;
+  folder.write("ball.ply", ply_text(shaded_ball()));
+  std::vector<std::string> words = {"ball.ply", "--merge-colours", "5", "--level",
+                                    "1",        "--small-cluster", "0"};
+  const Outcome compiled = run_aspectc(folder.path(), words);
+  INFO(compiled.err);
+  REQUIRE(compiled.exit_code == 0);
+  const Outcome same = run_aspectc(folder.path(), words);
+  CHECK_THAT(same.out, Catch::Contains("is up to date"));
+  const Outcome explained =
+      run_aspectc(folder.path(), {"explain", "ball.store", "--views", "10", "--cure-level", "1"});
+  INFO(explained.err);
+  CHECK(explained.exit_code == 0);
+  CHECK_THAT(explained.out, Catch::Contains("accuracy to expect"));
+  words[2] = "4";
+  words.emplace_back("--no-store");
+  CHECK_THAT(run_aspectc(folder.path(), words).out, Catch::Contains("classes cover"));
+}
+
+TEST_CASE("colours are merged of meshes alone, into two at least") {
+  const TemporaryFolder folder;
+  folder.write("part.b", "sphere { center 0 0 0 radius .2 }");
+  check_refused(run_aspectc(folder.path(), {"part.b", "--merge-colours", "3"}), 1,
+                "part.b: is a Bob scene, and colours are merged of meshes alone");
+  check_refused(run_aspectc(folder.path(), {"doctor", "part.b", "--merge-colours", "3"}), 1,
+                "part.b: is a Bob scene");
+  CHECK(run_aspectc(folder.path(), {"part.b", "--merge-colours", "1"}).exit_code == 2);
 }
 
 }  // namespace aspect

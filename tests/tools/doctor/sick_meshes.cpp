@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -71,6 +73,50 @@ ColouredMesh dented_ball(unsigned seed) {
     mesh.colours.push_back(test_colour(0));
     mesh.part_of.push_back(0);
   }
+  return mesh;
+}
+
+const std::vector<Eigen::Vector3d>& ball_paints() {
+  static const std::vector<Eigen::Vector3d> kPaints = {
+      {.85, .12, .1}, {.1, .55, .2}, {.12, .2, .8}, {.9, .8, .1}, {.85, .85, .85}};
+  return kPaints;
+}
+
+ColouredMesh shaded_ball() {
+  constexpr std::uint32_t kRows = 40, kColumns = 80;
+  std::mt19937 random(3);
+  ColouredMesh mesh;
+  for (std::size_t k = 0; k < ball_paints().size(); ++k) mesh.parts.push_back({});
+  for (std::uint32_t row = 0; row <= kRows; ++row)
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      const double polar = std::numbers::pi * row / kRows;
+      const double turn = 2 * std::numbers::pi * column / kColumns;
+      add_vertex(mesh, {std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                        1.2 * std::cos(polar)});
+    }
+  const Eigen::Vector3d lamp = Eigen::Vector3d(.5, .4, .77).normalized();
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const Eigen::Vector3d middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
+    const double turn = std::atan2(middle.y(), middle.x()) / std::numbers::pi;  // -1..1
+    const auto quarter = static_cast<std::uint32_t>(std::clamp(2 * turn + 2, 0.0, 3.0));
+    const std::uint32_t paint = std::abs(middle.z()) > .85 ? 4 : quarter;
+    const double light = .35 + .65 * std::max(0.0, middle.normalized().dot(lamp));
+    Eigen::Vector3d colour = light * ball_paints()[paint];
+    for (double& channel : colour) {
+      const double noise = static_cast<double>(random() % 9) - 4;  // grey values
+      channel = std::clamp(std::round(255 * channel + noise), 0.0, 255.0) / 255;
+    }
+    mesh.triangles.push_back({a, b, c});
+    mesh.colours.push_back(colour);
+    mesh.part_of.push_back(paint);
+  };
+  for (std::uint32_t row = 0; row < kRows; ++row)
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      const std::uint32_t a = row * kColumns + column;
+      const std::uint32_t b = row * kColumns + (column + 1) % kColumns;
+      if (row > 0) add(a, a + kColumns, b);
+      if (row + 1 < kRows) add(b, a + kColumns, b + kColumns);
+    }
   return mesh;
 }
 

@@ -20,6 +20,12 @@ ColouredMesh cuboid(const Eigen::Vector3d& least, const Eigen::Vector3d& most);
 // 320 triangles on a sphere of radius 1, dented by chance, wound outwards.
 ColouredMesh dented_ball(unsigned seed);
 
+// 6240 triangles on an ellipsoid with a cap at either end, in five paints of a fifth of the surface
+// or so each, shaded as by one lamp and with the noise of a camera: some 1500 colours. A triangle's
+// part is its paint.
+ColouredMesh shaded_ball();
+const std::vector<Eigen::Vector3d>& ball_paints();
+
 // Edges that one triangle alone has, by the most plain way there is.
 std::size_t plain_open_edges(const ColouredMesh& mesh);
 

@@ -6,8 +6,10 @@
 #include <set>
 
 #include "compiler/compile.h"
+#include "compiler/scene/mesh_scene.h"
 #include "tests/compiler/aspects/symmetric_scenes.h"
 #include "tests/runtime/capture/temporary_folder.h"
+#include "tests/tools/doctor/sick_meshes.h"
 
 namespace aspect {
 namespace {
@@ -115,6 +117,39 @@ TEST_CASE("the explanation is printed in words and as JSON, the same each time")
   for (const char* words : {"accuracy to expect", "symmetry: none", "surface 2", "cure: paint",
                             "no aspect covers", "taken for"})
     CHECK_THAT(text, Contains(words));
+}
+
+TEST_CASE("of a mesh in very many colours the cure is to merge them, to as many as it has paints") {
+  Scene scene = scene_of_mesh(shaded_ball()).value();
+  scene.file = "ball.ply";
+  CompileOptions options;
+  options.level = options.min_level = 1;
+  options.threshold = options.cluster_threshold = 1e9;
+  options.small_cluster_fraction = 0;
+  ExplainSettings settings;
+  settings.views = 10;
+  const TemporaryFolder folder;
+  const auto found = explain(folder.path() / "ball.store", {scene, options}, settings);
+  REQUIRE(found.ok());
+  const Explanation& e = found.value();
+  REQUIRE(e.crowded);
+  CHECK(e.crowded->colours == scene.surfaces.size());
+  CHECK(e.crowded->share > .98);
+  CHECK(e.crowded->enough == ball_paints().size());
+  CHECK(e.cure.changes.empty());
+  CHECK_THAT(explanation_text(e),
+             Contains("cure: merge the mesh's ") && Contains("aspectc ball.ply --merge-colours 5"));
+  CHECK(nlohmann::json::parse(explanation_json(e))["crowded_colours"]["merge_colours"] == 5);
+}
+
+TEST_CASE("the cure of a mesh in merged colours says what they were merged into") {
+  Explanation e;
+  e.faces = {{{1}, {1, 0, 0}}};
+  e.cure.changes = {{0, {0, 1, 0}, "green", 3}};
+  CHECK_THAT(explanation_text(e), !Contains("merge_colours"));
+  e.merged_colours = 6;
+  CHECK_THAT(explanation_text(e), Contains("merge_colours = 6 under [mesh]"));
+  CHECK(nlohmann::json::parse(explanation_json(e))["merged_colours"] == 6);
 }
 
 }  // namespace aspect

@@ -6,17 +6,21 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "compiler/compile.h"
 #include "compiler/index/bundle_writer.h"
 #include "tools/aspectc/commands/command_failure.h"
 #include "tools/aspectc/commands/compile_outputs.h"
+#include "tools/aspectc/commands/planned_index.h"
 #include "tools/aspectc/commands/statistics_json.h"
 #include "tools/aspectc/commands/whole_file.h"
 #include "tools/aspectc/progress/progress_line.h"
 #include "tools/aspectc/progress/stop_signals.h"
 #include "tools/aspectc/project/distance_check.h"
 #include "tools/aspectc/project/prepared_object.h"
+#include "tools/aspectc/record/compile_record.h"
+#include "tools/aspectc/record/content_hash.h"
 #include "tools/command_line/command_line.h"
 
 namespace aspect {
@@ -29,7 +33,25 @@ int refuse_usage(const std::string& message) {
   return kUsageError;
 }
 
-void print_warnings(const PreparedObject& object) {
+struct PreparedPart {
+  PreparedObject object;
+  ObjectFiles files;
+  std::vector<std::string> warnings;
+  std::optional<RecordedObject> record;
+};
+
+struct PreparedIndex {
+  fs::path output;
+  bool is_bundle = false;
+  std::string program;  // which compiles it
+  std::vector<PreparedPart> parts;
+};
+
+void print_warning(const std::string& warning) {
+  fmt::print(stderr, "aspectc: warning: {}\n", warning);
+}
+
+std::vector<std::string> warnings_of(const PreparedObject& object) {
   std::vector<std::string> warnings = object.scene.warnings;
   for (const MissingColour& missing : object.scene.missing_colours)
     warnings.push_back(line_of(missing) + "; --missing-colour stands for it");
@@ -38,7 +60,37 @@ void print_warnings(const PreparedObject& object) {
                                         distance->front(), distance->back());
     warnings.insert(warnings.end(), more.begin(), more.end());
   }
-  for (const std::string& warning : warnings) fmt::print(stderr, "aspectc: warning: {}\n", warning);
+  return warnings;
+}
+
+// What was said of it when it was made is said again.
+void print_unchanged(const PlannedIndex& index, const CompileRecord& record) {
+  std::set<std::string> files;
+  for (const RecordedObject& object : record.objects) {
+    for (const std::string& warning : object.warnings) print_warning(warning);
+    for (const RecordedFile& file : object.inputs)
+      if (!file.hash.starts_with(kAbsent)) files.insert(file.name);
+  }
+  fmt::print(
+      "{}: is up to date, since {} and the options are as they were; --force compiles all "
+      "the same\n",
+      index.output.native(),
+      files.size() == 1 ? *files.begin() : fmt::format("its {} files", files.size()));
+}
+
+Result<PreparedIndex> prepare_index(const PlannedIndex& planned, const RunStart& start) {
+  PreparedIndex index{planned.output, planned.is_bundle, start.program, {}};
+  for (const PlannedPart& part : planned.parts) {
+    Result<PreparedObject> object = prepare_object(part.object);
+    if (!object) return Error{object.error()};
+    auto record = record_of(part, object.value(), planned.output, start);
+    std::vector<std::string> warnings = warnings_of(object.value());
+    index.parts.push_back({std::move(object).value(),
+                           {planned.output, part.store},
+                           std::move(warnings),
+                           std::move(record)});
+  }
+  return index;
 }
 
 Result<CompiledIndex> compile_object(const PreparedObject& object, const ObjectFiles& files,
@@ -66,6 +118,14 @@ std::string no_golden_frame_reason(const CompileStatistics& s) {
              : "no golden frame, since no view was recognised without doubt in few enough bytes";
 }
 
+void warn_of_no_golden_frame(PreparedPart& part, const CompileStatistics& s) {
+  if (s.index.golden_frame_bytes > 0) return;
+  part.warnings.push_back(
+      fmt::format("{}: {}; aspectd will test no more than its checksum when it starts",
+                  part.files.output.native(), no_golden_frame_reason(s)));
+  print_warning(part.warnings.back());
+}
+
 void print_summary(const fs::path& file, const CompileStatistics& s) {
   fmt::print("{}: {} classes cover {:.1f} % of the sphere, {} views, {:.1f} KiB, {:.1f} s\n",
              file.native(), s.index.classes, 100 * s.index.area_assigned, s.subdivision.views,
@@ -76,11 +136,6 @@ void print_summary(const fs::path& file, const CompileStatistics& s) {
         "keeps more\n",
         file.native(), s.clusters.clusters - s.index.classes, s.clusters.clusters,
         100 * (s.clusters.area_assigned - s.index.area_assigned));
-  if (s.index.golden_frame_bytes == 0)
-    fmt::print(stderr,
-               "aspectc: warning: {}: {}; aspectd will test no more than its checksum when it "
-               "starts\n",
-               file.native(), no_golden_frame_reason(s));
 }
 
 Result<Done> write_statistics(const std::string& file, const std::vector<CompileStatistics>& all,
@@ -91,26 +146,54 @@ Result<Done> write_statistics(const std::string& file, const std::vector<Compile
   return write_whole_file(file, {first, json.size()});
 }
 
-Result<Done> compile_all(const PreparedObjects& prepared, const CompileFiles& files,
-                         const CompileCommand& command) {
+// Without it the next run compiles again: no reason to fail after hours of work.
+void keep_record(const PreparedIndex& index, const std::vector<std::uint8_t>& bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  CompileRecord record{index.program, content_hash(text), {}};
+  for (const PreparedPart& part : index.parts) {
+    if (!part.record) return;
+    record.objects.push_back(*part.record);
+    record.objects.back().warnings = part.warnings;
+  }
+  const std::string lines = record_text(record);
+  const auto* first = reinterpret_cast<const std::uint8_t*>(lines.data());
+  if (auto done = write_whole_file(record_file_of(index.output), {first, lines.size()}); !done)
+    print_warning(done.error());
+}
+
+Result<std::vector<CompileStatistics>> compile_index(PreparedIndex& index,
+                                                     const std::string& progress) {
   std::vector<CompileStatistics> statistics;
   std::vector<std::vector<std::uint8_t>> indexes;
-  for (std::size_t i = 0; i < prepared.objects.size(); ++i) {
-    const ObjectFiles& own = files.objects[i];
-    Result<CompiledIndex> compiled = compile_object(prepared.objects[i], own, command.progress);
+  for (const PreparedPart& part : index.parts) {
+    Result<CompiledIndex> compiled = compile_object(part.object, part.files, progress);
     if (!compiled) return Error{compiled.error()};
     statistics.push_back(compiled.value().statistics);
     indexes.push_back(std::move(compiled).value().bytes);
-    if (!prepared.combined)
-      if (auto done = write_whole_file(own.output, indexes.back()); !done) return done;
   }
-  if (prepared.combined)
-    if (auto done = write_whole_file(files.objects.front().output, write_bundle(indexes)); !done)
-      return done;
-  if (auto done = write_statistics(command.statistics, statistics, prepared.is_list); !done)
-    return done;
+  const std::vector<std::uint8_t> bytes =
+      index.is_bundle ? write_bundle(indexes) : std::move(indexes.front());
+  if (auto done = write_whole_file(index.output, bytes); !done) return Error{done.error()};
   for (std::size_t i = 0; i < statistics.size(); ++i)
-    print_summary(files.objects[i].output, statistics[i]);
+    warn_of_no_golden_frame(index.parts[i], statistics[i]);
+  keep_record(index, bytes);
+  return statistics;
+}
+
+Result<Done> compile_all(std::vector<PreparedIndex>& indexes, const CompileCommand& command,
+                         bool is_list) {
+  std::vector<CompileStatistics> statistics;
+  std::vector<fs::path> outputs;
+  for (PreparedIndex& index : indexes) {
+    const auto compiled = compile_index(index, command.progress);
+    if (!compiled) return Error{compiled.error()};
+    for (const CompileStatistics& one : compiled.value()) {
+      statistics.push_back(one);
+      outputs.push_back(index.output);
+    }
+  }
+  if (auto done = write_statistics(command.statistics, statistics, is_list); !done) return done;
+  for (std::size_t i = 0; i < statistics.size(); ++i) print_summary(outputs[i], statistics[i]);
   return Done{};
 }
 
@@ -125,7 +208,10 @@ void add_compile_options(CLI::App& app, CompileCommand& command) {
                  "database of views and matches to resume from [NAME.store]");
   app.add_flag("--no-store", command.no_store,
                "keep no database; a run that is stopped starts anew");
-  app.add_option("--stats", command.statistics, "write statistics to this JSON file");
+  app.add_flag("--force", command.force,
+               "compile even where inputs, options and index are as they were");
+  app.add_option("--stats", command.statistics,
+                 "write statistics to this JSON file; compiles in any case");
   app.add_option("--progress", command.progress, "progress on stderr: auto, always, never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
@@ -133,15 +219,32 @@ void add_compile_options(CLI::App& app, CompileCommand& command) {
 }
 
 int run_compile(const CompileCommand& command) {
-  const auto outcome = prepare_objects(command.scene, command.flags);
+  const RunStart start = start_run();
+  const auto outcome = plan_objects(command.scene, command.flags);
   if (const auto* error = std::get_if<PreparationError>(&outcome))
     return error->usage ? refuse_usage(error->message) : fail(error->message);
-  const auto& prepared = std::get<PreparedObjects>(outcome);
-  const CompileFiles files = name_files(prepared, command);
-  if (const auto fault = fault_of(files, prepared, command)) return refuse_usage(*fault);
-  for (const PreparedObject& object : prepared.objects) print_warnings(object);
+  const auto& planned = std::get<PlannedObjects>(outcome);
+  const CompileFiles files = name_files(planned, command);
+  if (const auto fault = fault_of(files, planned, command)) return refuse_usage(*fault);
+  const bool in_any_case = command.force || !command.statistics.empty();
+  std::vector<PlannedIndex> changed;
+  for (const PlannedIndex& index : planned_indexes(planned, files))
+    if (const auto record = in_any_case ? std::nullopt : unchanged_record(index, start))
+      print_unchanged(index, *record);
+    else
+      changed.push_back(index);
+  if (changed.empty()) return 0;
   if (Result<Done> done = check_outputs(files, command); !done) return fail(done.error());
-  const Result<Done> done = compile_all(prepared, files, command);
+  std::vector<PreparedIndex> prepared;
+  for (const PlannedIndex& index : changed) {
+    Result<PreparedIndex> one = prepare_index(index, start);
+    if (!one) return fail(one.error());
+    prepared.push_back(std::move(one).value());
+  }
+  for (const PreparedIndex& index : prepared)
+    for (const PreparedPart& part : index.parts)
+      for (const std::string& warning : part.warnings) print_warning(warning);
+  const Result<Done> done = compile_all(prepared, command, planned.is_list);
   return done ? 0 : fail(done.error());
 }
 

@@ -11,7 +11,7 @@ namespace aspect {
 
 struct CompileCommand {
   std::string scene, output, store, statistics, progress = "auto";
-  bool no_store = false;
+  bool no_store = false, force = false;
   std::vector<GivenFlag> flags;
 };
 

@@ -23,11 +23,11 @@ struct CompileFiles {
 
 // One index an object, NAME.aspect here or in the folder given; a combined one takes its name from
 // the project. Stores lie beside them, one an object.
-CompileFiles name_files(const PreparedObjects& prepared, const CompileCommand& command);
+CompileFiles name_files(const PlannedObjects& planned, const CompileCommand& command);
 
 // What is wrong with how the files were named, if anything: no file may be two of scene, index,
 // store and statistics.
-std::optional<std::string> fault_of(const CompileFiles& files, const PreparedObjects& prepared,
+std::optional<std::string> fault_of(const CompileFiles& files, const PlannedObjects& planned,
                                     const CompileCommand& command);
 
 // Before hours of work.

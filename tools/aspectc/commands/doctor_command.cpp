@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 
 #include "compiler/scene/bob_writer.h"
 #include "compiler/scene/scene_reader.h"
@@ -11,6 +12,7 @@
 #include "tools/aspectc/project/prepared_object.h"
 #include "tools/aspectc/project/scene_settings.h"
 #include "tools/command_line/command_line.h"
+#include "tools/doctor/merged_colours.h"
 #include "tools/doctor/report.h"
 
 namespace aspect {
@@ -23,11 +25,14 @@ FILE cannot be read, 2 usage.
 fit (unless a project gives the distance) and moves colours that touch and cannot be separated apart
 by the least that does; open edges stay. OUT.b holds all of that; OUT.ply, of meshes alone, keeps
 the file's coordinates. A project's colours, camera and light are written into OUT.b.
+--merge-colours judges the mesh as it would be compiled with that option, and writes a picture of it
+from three sides: as it is on the left, in its N colours on the right.
 Keys of --json:
   objects   object, surfaces, errors, warnings, notes, and findings: group (topology, placement,
             colours, visibility), code, severity (error, warning, note), message, cure, count,
             where (at most ten: triangles of a mesh as read or, of topology in a Bob scene and of
             all other groups, surfaces, from 1), can_fix
+  pictures  files written; only with --merge-colours
   fix       output, done (lines), colours (before, after, separation_before, separation_after; it
             separates above 1), left (OUT read again: as an object); only with --fix)";
 
@@ -37,13 +42,15 @@ int refuse_usage(const std::string& message) {
 }
 
 // Why the command makes no sense; empty: it does.
-std::string fault_of(const DoctorCommand& command, const PreparedObjects& prepared) {
+std::string fault_of(const DoctorCommand& command, const std::vector<PreparedObject>& prepared) {
+  if (!command.picture.empty() && prepared.size() != 1)
+    return fmt::format("{}: has {} objects, and --picture names one file; leave it out",
+                       command.file, prepared.size());
   if (command.fix.empty()) return {};
   const std::string extension = lower_extension(command.fix);
-  if (prepared.objects.size() != 1)
-    return fmt::format("{}: has {} objects; --fix takes one", command.file,
-                       prepared.objects.size());
-  const PreparedObject& object = prepared.objects.front();
+  if (prepared.size() != 1)
+    return fmt::format("{}: has {} objects; --fix takes one", command.file, prepared.size());
+  const PreparedObject& object = prepared.front();
   if (extension != ".b" && extension != ".ply")
     return fmt::format("{}: --fix writes .b or .ply; name it so", command.fix);
   if (extension == ".ply" && !is_mesh(object))
@@ -98,6 +105,27 @@ Result<FixReport> fix(const PreparedObject& object, const DoctorCommand& command
                    std::move(left).value()};
 }
 
+std::vector<GivenFlag> flags_of(const DoctorCommand& command) {
+  if (command.merge_colours == 0) return {};
+  return {{find_option("mesh", "merge_colours"), command.merge_colours}};
+}
+
+// The mesh as it is beside what becomes of it.
+Result<std::string> write_merging_picture(const DoctorCommand& command,
+                                          const PreparedObject& object) {
+  CompileSettings unmerged = object.settings;
+  unmerged.mesh.merge_colours.reset();
+  const auto before = prepare_object({object.scene_file, object.scene.name, unmerged});
+  if (!before) return Error{before.error()};
+  const std::string file =
+      command.picture.empty() ? object.scene.name + ".colours.png" : command.picture;
+  std::vector<std::uint8_t> png;
+  if (!cv::imencode(".png", merging_picture(before.value().scene, object.scene), png))
+    return Error{file + ": the picture could not be encoded"};
+  if (const Result<Done> done = write_whole_file(file, png); !done) return Error{done.error()};
+  return file;
+}
+
 }  // namespace
 
 CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command) {
@@ -105,27 +133,39 @@ CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command) {
       app.add_subcommand("doctor", "Tell what is wrong with a model, and how to cure it.");
   doctor->add_option("file", command.file, "scene, mesh, or project (.toml)")->required();
   doctor->add_option("--fix", command.fix, "write the repaired model (.b, or .ply of a mesh)");
+  auto* merge = doctor
+                    ->add_option("--merge-colours", command.merge_colours,
+                                 "merge the colours of a mesh into so many, and show it")
+                    ->check(CLI::Range(2, 256));
+  doctor->add_option("--picture", command.picture, "where it is shown (.png) [NAME.colours.png]")
+      ->needs(merge);
   doctor->add_flag("--json", command.json, "everything, as one JSON object");
   doctor->footer(kKeys);
   return doctor;
 }
 
 int run_doctor(const DoctorCommand& command) {
-  const auto outcome = prepare_objects(command.file, {}, kUncoloured);
+  const auto outcome = prepare_objects(command.file, flags_of(command), kUncoloured);
   if (const auto* error = std::get_if<PreparationError>(&outcome)) return fail(error->message);
-  const auto& prepared = std::get<PreparedObjects>(outcome);
+  const auto& prepared = std::get<std::vector<PreparedObject>>(outcome);
   if (const std::string fault = fault_of(command, prepared); !fault.empty())
     return refuse_usage(fault);
-  DoctorReport report{command.file, {}, {}};
-  for (const PreparedObject& object : prepared.objects) {
+  DoctorReport report{command.file, {}, {}, {}};
+  for (const PreparedObject& object : prepared) {
     for (const std::string& warning : object.scene.warnings)
       fmt::print(stderr, "aspectc: warning: {}\n", warning);
     Result<Diagnosis> diagnosis = diagnose(object);
     if (!diagnosis) return fail(diagnosis.error());
     report.objects.push_back(std::move(diagnosis).value());
   }
+  if (command.merge_colours > 0)
+    for (const PreparedObject& object : prepared) {
+      Result<std::string> picture = write_merging_picture(command, object);
+      if (!picture) return fail(picture.error());
+      report.pictures.push_back(std::move(picture).value());
+    }
   if (!command.fix.empty()) {
-    Result<FixReport> fixed = fix(prepared.objects.front(), command);
+    Result<FixReport> fixed = fix(prepared.front(), command);
     if (!fixed) return fail(fixed.error());
     report.fix = std::move(fixed).value();
   }

@@ -7,7 +7,8 @@
 namespace aspect {
 
 struct DoctorCommand {
-  std::string file, fix;
+  std::string file, fix, picture;
+  int merge_colours = 0;  // 0: as the project has it
   bool json = false;
 };
 

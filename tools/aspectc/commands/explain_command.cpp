@@ -21,6 +21,9 @@ constexpr const char* kKeys =
   confusions       aspect, taken_for (classes of the index), views, seen_from, believed_from,
                    faces, faces_believed (surfaces: primitives of the scene from 1; colour)
   face_confusions  face, taken_for, views, separation (of the colours; above 1 they are separated)
+  merged_colours   into so many the colours of the mesh were merged; only where they were
+  crowded_colours  colours of a mesh, the share of its surface in ones that touch others too like
+                   them, merge_colours: so many would do; only where there are so many
   cure             changes (face, colour, colour_name, separation), level, wrong_before,
                    wrong_after, cured (of those wrong before), accuracy; only where there is one)";
 

@@ -45,6 +45,7 @@ struct SurfaceSettings {
 
 // [mesh]
 struct MeshSettings {
+  std::optional<int> merge_colours;
   std::map<int, Eigen::Vector3d> colours;  // of the parts of a file that has no colours, from 0
   std::optional<std::vector<double>> missing_colour;  // r g b; of Bob scenes too
 };

@@ -10,10 +10,10 @@
 namespace aspect {
 namespace {
 
-constexpr std::string_view kCamera = "camera", kLight = "light", kSegmentation = "segmentation",
-                           kRelations = "relations", kMatching = "matching",
-                           kSubdivision = "subdivision", kClasses = "classes", kIndex = "index",
-                           kRun = "run", kMesh = "mesh";
+constexpr std::string_view kCamera = "camera", kLight = "light", kMesh = "mesh",
+                           kSegmentation = "segmentation", kRelations = "relations",
+                           kMatching = "matching", kSubdivision = "subdivision",
+                           kClasses = "classes", kIndex = "index", kRun = "run";
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 3> kScorings = {"none", "views", "area"};
@@ -127,6 +127,19 @@ void add_light(std::vector<Option>& all) {
       {kLight, "ambient", "--ambient", "r, g, b", "light that is everywhere",
        "with 1, 1, 1 and no lamps every surface has one colour: the most robust segmentation"},
       NumbersForm{3, {0, 1000}}, [](auto& s) -> auto& { return s.light.ambient; }));
+}
+
+void add_mesh(std::vector<Option>& all) {
+  all.push_back(option(
+      {kMesh, "missing_colour", "--missing-colour", "r, g, b",
+       "stands for colours that the scene names and that are not found",
+       "without it a missing library, material, picture or name is an error"},
+      NumbersForm{3, {0, 1}}, [](auto& s) -> auto& { return s.mesh.missing_colour; }));
+  all.push_back(option(
+      {kMesh, "merge_colours", "--merge-colours", "",
+       "most colours of a mesh, into which all that it has are merged [as many as it has]",
+       "4 to 12 for one that was scanned or shaded; aspectc doctor shows it in so many"},
+      WholeForm{{2, 256}}, [](auto& s) -> auto& { return s.mesh.merge_colours; }));
 }
 
 // What suits one sensor does not suit another: all of the segmentation follows it, and is then
@@ -326,18 +339,10 @@ void add_run(std::vector<Option>& all) {
       WholeForm{{1, 1024}}, [](auto& s) -> auto& { return s.jobs; }));
 }
 
-void add_mesh(std::vector<Option>& all) {
-  all.push_back(option(
-      {kMesh, "missing_colour", "--missing-colour", "r, g, b",
-       "stands for colours that the scene names and that are not found",
-       "without it a missing library, material, picture or name is an error"},
-      NumbersForm{3, {0, 1}}, [](auto& s) -> auto& { return s.mesh.missing_colour; }));
-}
-
 std::vector<Option> all_options() {
   std::vector<Option> all;
-  for (const auto add : {add_camera, add_light, add_segmentation, add_relations, add_matching,
-                         add_subdivision, add_classes, add_index, add_run, add_mesh})
+  for (const auto add : {add_camera, add_light, add_mesh, add_segmentation, add_relations,
+                         add_matching, add_subdivision, add_classes, add_index, add_run})
     add(all);
   return all;
 }

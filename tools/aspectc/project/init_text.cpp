@@ -115,12 +115,12 @@ std::string init_text(const std::string& scene_file, const Scene& scene) {
   for (const Option& option : compile_option_table()) {
     if (option.text.table != table) {
       if (table == "light") text += lamp_lines(scene);
+      if (table == "mesh") text += kPartColours;
       table = option.text.table;
       text += fmt::format("\n[{}]\n", table);
     }
     text += option_lines(option, settings);
   }
-  text += kPartColours;  // [mesh] is the last table
   return text + surface_lines(scene) + std::string(kObjects);
 }
 

@@ -12,8 +12,16 @@
 #include "runtime/base/result.h"
 #include "tools/aspectc/options/compile_settings.h"
 #include "tools/aspectc/options/option_flags.h"
+#include "tools/aspectc/project/project_file.h"
 
 namespace aspect {
+
+// What a command line names, before any scene is read.
+struct PlannedObjects {
+  std::vector<ProjectObject> objects;  // each with a name of its own, the flags in its settings
+  bool is_list = false;                // of a project with [[object]]
+  bool combined = false;
+};
 
 struct PreparedObject {
   std::filesystem::path scene_file;
@@ -24,22 +32,23 @@ struct PreparedObject {
 // A colour for those that are not found; without one they are errors.
 using StandIn = std::optional<Eigen::Vector3d>;
 
-struct PreparedObjects {
-  std::vector<PreparedObject> objects;
-  bool is_list = false;  // of a project with [[object]]
-  bool combined = false;
-};
-
-// Of a scene, or of all that a project (.toml) names; flags win over the project. Contradicting
-// flags are a fault of usage and told apart. `stand_in` stands for colours that are not found where
-// no option says one.
 struct PreparationError {
   std::string message;
   bool usage = false;
 };
-std::variant<PreparedObjects, PreparationError> prepare_objects(const std::filesystem::path& file,
-                                                                std::span<const GivenFlag> flags,
-                                                                const StandIn& stand_in = {});
+
+// Of a scene, or of all that a project (.toml) names; flags win over the project. Contradicting
+// flags are a fault of usage and told apart.
+std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesystem::path& file,
+                                                            std::span<const GivenFlag> flags);
+
+// Reads the scene. `stand_in` stands for colours that are not found where no option says one.
+Result<PreparedObject> prepare_object(const ProjectObject& object, const StandIn& stand_in = {});
+
+// Both in one.
+std::variant<std::vector<PreparedObject>, PreparationError> prepare_objects(
+    const std::filesystem::path& file, std::span<const GivenFlag> flags,
+    const StandIn& stand_in = {});
 
 // A scene file, or a project with a single object, for programs that render it.
 Result<PreparedObject> read_prepared_object(const std::filesystem::path& file,

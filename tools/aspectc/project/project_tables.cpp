@@ -72,7 +72,7 @@ std::optional<Error> ProjectTables::read_table(const Named& named,
   const toml::table* part_colours = named.name == "mesh" ? reader.table("colours") : nullptr;
   if (named.name == "segmentation") pass_over_frame_keys(reader);
   if (auto error = reader.finish()) return error;
-  if (part_colours != nullptr) return read_part_colours(*part_colours, settings.mesh);
+  if (auto error = read_part_colours(part_colours, settings.mesh)) return error;
   return read_lamps(lamps, settings.light);
 }
 
@@ -117,10 +117,11 @@ std::optional<Error> ProjectTables::read_surfaces(CompileSettings& settings) con
   return std::nullopt;
 }
 
-std::optional<Error> ProjectTables::read_part_colours(const toml::table& colours,
+std::optional<Error> ProjectTables::read_part_colours(const toml::table* table,
                                                       MeshSettings& mesh) const {
-  TableReader colour_reader(colours, file_, prefix_ + "mesh.colours");
-  for (const auto& [key, node] : colours) {
+  if (table == nullptr) return std::nullopt;
+  TableReader colour_reader(*table, file_, prefix_ + "mesh.colours");
+  for (const auto& [key, node] : *table) {
     const auto part = part_number(key.str());
     const auto colour = read_vector(colour_reader, key.str(), kColourRange);
     if (!part)

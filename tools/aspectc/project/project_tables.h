@@ -31,7 +31,7 @@ class ProjectTables {
   std::optional<Error> read_lamps(const std::vector<const toml::table*>& tables,
                                   LightSettings& light) const;
   std::optional<Error> read_surfaces(CompileSettings& settings) const;
-  std::optional<Error> read_part_colours(const toml::table& colours, MeshSettings& mesh) const;
+  std::optional<Error> read_part_colours(const toml::table* table, MeshSettings& mesh) const;
 
   std::string file_, prefix_;
   std::vector<Named> tables_;
