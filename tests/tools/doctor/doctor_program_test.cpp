@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/doctor/sick_meshes.h"
 #include "tools/doctor/repair.h"

@@ -7,7 +7,7 @@
 
 #include "compiler/compile.h"
 #include "tests/compiler/aspects/symmetric_scenes.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
