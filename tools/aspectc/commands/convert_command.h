@@ -1,8 +1,11 @@
 // aspectc convert IN OUT.b: any scene as a Bob scene.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 
