@@ -1,32 +1,45 @@
 #!/usr/bin/env bash
-# Installs every package that Aspect is built, tested and demonstrated with (Debian 12).
-# Does nothing when all are there.
+# Installs the packages (Debian 12) that something of Aspect needs. Does nothing when all are there.
+# usage: tools/setup.sh [demo|build|test]
+#   demo    what tools/demo.sh builds and runs
+#   build   that, and all programs with all they can do
+#   test    that, and all tests, in emulators and under sanitizers as well (without a word: this)
 set -euo pipefail
 
-packages=(
+demo_packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
   libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
   libassimp-dev libpng-dev libxxhash-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev  # the tools'
+  libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev
+)
+build_packages=(
+  libopencv-videoio-dev                                  # videos as frames
   libv4l-dev                                             # the camera's: formats that are not ours
-  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libopencv-dev  # the tools'
   pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
+  libbenchmark-dev                                       # aspect-bench's
 )
 test_packages=(
-  catch2 libbenchmark-dev python3                        # tests and benchmarks
+  catch2 python3                                         # tests
   libdxflib-dev                                          # whose colours ours are compared with
+  libopencv-calib3d-dev                                  # whose lens ours is compared with
   povray                                                 # the renderer that ours is compared with
   mosquitto                                              # the broker that MQTT is tested with
-)
-
-device_packages=(
   g++-aarch64-linux-gnu g++-arm-linux-gnueabihf          # what boards run is compiled with these
   qemu-user-static                                       # and tested in this
   qemu-system-arm qemu-system-x86 kmod busybox-static    # whole boards, with their kernels
 )
 
+case "${1:-test}" in
+  demo) wanted=("${demo_packages[@]}") ;;
+  build) wanted=("${demo_packages[@]}" "${build_packages[@]}") ;;
+  test) wanted=("${demo_packages[@]}" "${build_packages[@]}" "${test_packages[@]}") ;;
+  *) echo "usage: tools/setup.sh [demo|build|test]" >&2; exit 2 ;;
+esac
+
 missing=()
-for package in "${packages[@]}" "${test_packages[@]}" "${device_packages[@]}"; do
+for package in "${wanted[@]}"; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing+=("$package")
 done

@@ -1,5 +1,5 @@
 // What a build can read besides raw frames: pictures and videos of many kinds on a workstation,
-// pictures of one kind on a device. One source file a build, chosen by CMake.
+// pictures of one kind on a device. CMake chooses the sources of a build.
 #pragma once
 
 #include <filesystem>

@@ -2,37 +2,11 @@
 #include "runtime/capture/pnm_picture.h"
 
 namespace aspect {
-namespace {
-
-class NoVideo : public FrameSource {
- public:
-  explicit NoVideo(std::filesystem::path file) : file_(std::move(file)) {}
-
-  [[nodiscard]] FrameStatus next(CapturedFrame& frame) override {
-    if (told_) return FrameStatus::end;
-    told_ = true;
-    frame.name = file_.native();
-    frame.error = file_.native() +
-                  ": a video, which is read on workstations only; give raw frames, "
-                  "NAME.WIDTHxHEIGHT.FOURCC";
-    return FrameStatus::failed;
-  }
-
- private:
-  std::filesystem::path file_;
-  bool told_ = false;
-};
-
-}  // namespace
 
 void silence_decoders() {}
 
 bool read_picture(const std::filesystem::path& file, SensorKind sensor, CapturedFrame& frame) {
   return read_pnm(file, sensor, frame);
-}
-
-std::unique_ptr<FrameSource> open_video(const std::filesystem::path& file) {
-  return std::make_unique<NoVideo>(file);
 }
 
 }  // namespace aspect

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 
+#include "runtime/capture/decoders.h"
 #include "runtime/capture/mat_frame.h"
 #include "runtime/capture/picture_header.h"
 #include "runtime/capture/stderr_capture.h"
@@ -80,6 +81,10 @@ FrameStatus VideoFile::end(CapturedFrame& frame) {
                                    frames_, announced));
   ended_ = true;
   return FrameStatus::end;
+}
+
+std::unique_ptr<FrameSource> open_video(const std::filesystem::path& file) {
+  return std::make_unique<VideoFile>(file);
 }
 
 }  // namespace aspect

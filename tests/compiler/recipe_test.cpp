@@ -7,7 +7,7 @@
 #include "compiler/compile.h"
 #include "compiler/scene/bob_reader.h"
 #include "tests/compiler/aspects/compiled_model.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

@@ -22,7 +22,7 @@ library_path=$(find "$packages/$processor" -name '*.so.*' -printf '%h\n' | sort 
 
 log=$build.log
 mkdir -p build
-cmake --preset "device-$processor" "-DASPECT_DEVICE_PACKAGES=$packages/$processor" >"$log" 2>&1 &&
+cmake --preset "device-$processor" -DASPECT_JOIN=ON "-DASPECT_DEVICE_PACKAGES=$packages/$processor" >"$log" 2>&1 &&
   cmake --build --preset "device-$processor" --target "$@" >>"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 
 export ASPECT_SAMPLES=$results/samples

@@ -73,7 +73,7 @@ TEST_CASE("A recognition is drawn over its frame") {
   Hypothesis best;
   best.contours = matches;
   const std::array hypotheses = {best};
-  const std::array objects = {SeenObject{{100, 150, 300, 200}, 2, hypotheses}};
+  const std::array objects = {SeenObject{{100, 150, 300, 200}, 2, {}, hypotheses}};
   Recognition recognition;
   recognition.graph = seen.graph();
   recognition.objects = objects;

@@ -1,17 +1,16 @@
 // aspect-replay as its users start it.
-#include <sys/wait.h>
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
-#include <sstream>
 #include <vector>
 
+#include "tests/child_program.h"
 #include "tests/runtime/capture/sample_pictures.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
+#include "tests/tools/json_lines.h"
 #include "tests/tools/tiny_index.h"
 
 namespace aspect {
@@ -21,17 +20,6 @@ namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using nlohmann::json;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-  std::vector<json> lines() const {
-    std::vector<json> parsed;
-    std::istringstream stream(out);
-    for (std::string line; std::getline(stream, line);) parsed.push_back(json::parse(line));
-    return parsed;
-  }
-};
 
 // An object of four coloured fields.
 cv::Mat flag(int width_px, int height_px, bool mirrored = false) {
@@ -61,11 +49,7 @@ class Replay {
   }
 
   Outcome run(const std::string& arguments, const std::string& redirection = "") const {
-    const std::string command = "cd '" + folder_.path().native() + "' && '" ASPECT_REPLAY "' " +
-                                arguments + " >out 2>err </dev/null " + redirection;
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), read_file(folder_.path() / "out"),
-            read_file(folder_.path() / "err")};
+    return run_shell(folder_.path(), "'" ASPECT_REPLAY "' " + arguments + " " + redirection);
   }
 
   const TemporaryFolder& folder() const { return folder_; }
@@ -78,7 +62,7 @@ TEST_CASE("Frames of different sizes are recognised, each on a line") {
   const Outcome outcome = Replay().run("--index flag.aspect --index mirror.aspect frames");
   CHECK(outcome.err == "");
   CHECK(outcome.exit_code == 0);
-  const auto lines = outcome.lines();
+  const auto lines = json_lines(outcome.out);
   REQUIRE(lines.size() == 3);
   const std::array<const char*, 3> objects = {"flag", "mirror", "flag"};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -102,7 +86,7 @@ TEST_CASE("Bad frames are reported, and the others are processed") {
   replay.folder().write("frames/3.png", "text");
   const Outcome outcome = replay.run("--index flag.aspect frames missing.png");
   CHECK(outcome.exit_code == 1);
-  const auto lines = outcome.lines();
+  const auto lines = json_lines(outcome.out);
   REQUIRE(lines.size() == 3);
   CHECK(lines[0]["frame"] == "frames/0.png");
   CHECK(lines[1]["frame"] == "frames/1.png");
@@ -149,7 +133,7 @@ TEST_CASE("Indexes that cannot be used are reported, and the others are used") {
   const auto run = [&](const std::string& indexes) {
     const Outcome outcome = replay.run(indexes + " --index flag.aspect frames/0.png");
     CHECK(outcome.exit_code == 1);
-    CHECK(outcome.lines().size() == 1);
+    CHECK(json_lines(outcome.out).size() == 1);
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     return outcome.err;
   };
@@ -179,12 +163,12 @@ TEST_CASE("The command line wins over the configuration, the configuration over 
   replay.folder().write("c.toml", "[segmentation]\nregion_of_interest = [0, 0, 10, 10]\n");
   const Outcome blind = replay.run("--index flag.aspect --config c.toml frames/0.png");
   CHECK(blind.exit_code == 0);
-  CHECK(blind.lines()[0]["objects"].empty());
+  CHECK(json_lines(blind.out)[0]["objects"].empty());
 
   replay.folder().write("top.toml", "[recognition]\ntop = 1\n");
   const std::string both = "--index flag.aspect --index mirror.aspect frames/0.png ";
   const auto hypotheses = [&](const std::string& more) {
-    return replay.run(both + more).lines()[0]["objects"][0]["hypotheses"].size();
+    return json_lines(replay.run(both + more).out)[0]["objects"][0]["hypotheses"].size();
   };
   CHECK(hypotheses("") == 2);
   CHECK(hypotheses("--config top.toml") == 1);
@@ -200,8 +184,8 @@ TEST_CASE("The command line wins over the configuration, the configuration over 
 TEST_CASE("Matching and ranking can be chosen") {
   const Replay replay;
   const auto score = [&](const std::string& more) {
-    return replay.run("--index flag.aspect frames/0.png " + more)
-        .lines()[0]["objects"][0]["hypotheses"][0]["score"]
+    return json_lines(replay.run("--index flag.aspect frames/0.png " + more)
+                          .out)[0]["objects"][0]["hypotheses"][0]["score"]
         .get<double>();
   };
   CHECK(score("--ranking views") <= 1);
@@ -230,7 +214,7 @@ TEST_CASE("Pictures of the stages and overlays are written") {
 TEST_CASE("Frames start at the pace asked for") {
   const Replay replay;
   const auto start = std::chrono::steady_clock::now();
-  CHECK(replay.run("--index flag.aspect --pace 5 frames").lines().size() == 3);
+  CHECK(json_lines(replay.run("--index flag.aspect --pace 5 frames").out).size() == 3);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   CHECK(elapsed.count() >= 0.4);
   CHECK(elapsed.count() < 5);
@@ -244,7 +228,8 @@ TEST_CASE("Raw frames are recognised like pictures with the same pixels") {
   const cv::Mat picture = flag(320, 240);
   const std::string bytes(picture.datastart, picture.dataend);
   replay.folder().write("clip.320x240.BGR3", bytes + bytes);
-  const auto lines = replay.run("--index flag.aspect clip.320x240.BGR3 frames/0.png").lines();
+  const auto lines =
+      json_lines(replay.run("--index flag.aspect clip.320x240.BGR3 frames/0.png").out);
   REQUIRE(lines.size() == 3);
   CHECK(lines[0]["frame"] == "clip.320x240.BGR3#0");
   CHECK(lines[1]["frame"] == "clip.320x240.BGR3#1");
@@ -266,13 +251,13 @@ TEST_CASE("A reader that goes away ends the run quietly") {
   for (int k = 0; k < 100; ++k) many += " frames";
   const auto start = std::chrono::steady_clock::now();
   const fs::path folder = replay.folder().path();
-  const std::string command = "cd '" + folder.native() + "' && ( '" ASPECT_REPLAY "' " + many +
-                              "; echo $? >code ) 2>err | head -n 1 >first";
-  CHECK(std::system(command.c_str()) == 0);
+  const Outcome cut =
+      run_shell(folder, "( '" ASPECT_REPLAY "' " + many + "; echo $? >code ) | head -n 1");
+  CHECK(cut.exit_code == 0);
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(4));
   CHECK(read_file(folder / "code") == "0\n");
-  CHECK(read_file(folder / "err") == "");
-  CHECK(json::accept(read_file(folder / "first")));
+  CHECK(cut.err == "");
+  CHECK(json::accept(cut.out));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ esac
 tools/build.sh aspectc aspect-replay make_raw_frames guest_programs
 build=build/release/tests/firmware
 tests/firmware/prepare.sh inputs $build build/release/bin/aspectc build/release/bin/make_raw_frames \
-  build/release/tests/tools/score/rendered
+  build/release/tests/recognition_table/rendered
 tests/firmware/prepare.sh rootfs $build arm64 arm64
 
 # The arm64 kernel runs programs of both.

@@ -12,6 +12,7 @@
 #include "compiler/scene/bob_reader.h"
 #include "tests/compiler/render/pov_scene.h"
 #include "tests/compiler/render/test_scenes.h"
+#include "tests/temporary_folder.h"
 
 using namespace aspect;
 using Eigen::Vector3d;
@@ -37,23 +38,6 @@ struct Difference {
   int pixels = 0;       // compared
   int stray_edges = 0;  // with no edge within one pixel in the other picture
   int edges = 0;
-};
-
-// A folder of its own, gone with the object.
-class Scratch {
- public:
-  Scratch() { std::filesystem::create_directories(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / ("aspect_povray_test_" + std::to_string(::getpid()));
 };
 
 int difference(const std::vector<std::uint8_t>& rgb, std::size_t a, std::size_t b) {
@@ -151,7 +135,7 @@ void require_like_povray(const std::string& name, const Scene& scene, const Limi
     WARN("skipped: povray is not installed; tools/setup.sh installs it");
     return;
   }
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const Camera camera = camera_at(scene.studio, Vector3d(.55, -1, .6).normalized());
   Picture ours;
   renderer_of(scene).render(camera, ours);

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

@@ -1,7 +1,7 @@
 // Every kind of error, with its exact line: the place, what is wrong, what would be right.
 #include <catch2/catch.hpp>
 
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

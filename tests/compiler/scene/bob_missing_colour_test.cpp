@@ -3,6 +3,7 @@
 
 #include "compiler/scene/bob_reader.h"
 #include "scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -59,7 +60,7 @@ TEST_CASE("a name where a number belongs stays an error") {
 }
 
 TEST_CASE("a given colour stands for a surface whose map is not there or is none") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("text.png", "not a picture");
   for (const std::string map : {"none.png", "text.png"}) {
     const auto file = folder.write(

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "compiler/scene/bob_reader.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -86,7 +87,7 @@ TEST_CASE("line ends of Windows are accepted") {
 }
 
 TEST_CASE("includes are found beside the including file, then on the include path") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("lib/ball.bo", "sphere { center 0 0 0 radius R }\n");
   folder.write("scene/colours/r.bc", "#define R .1\n#include \"../near ball.bo\"\n");
   folder.write("scene/near ball.bo", "#include ball.bo\n");
@@ -99,7 +100,7 @@ TEST_CASE("includes are found beside the including file, then on the include pat
 }
 
 TEST_CASE("a file beside the including one wins over the include path") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("lib/r.bc", "#define R .2");
   folder.write("r.bc", "#define R .1");
   const auto main = folder.write("main.b", "#include r.bc\nsphere { center 0 0 0 radius R }");
@@ -109,7 +110,7 @@ TEST_CASE("a file beside the including one wins over the include path") {
 }
 
 TEST_CASE("an error in an include shows the chain of includes") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::string c = folder.write("c.bc", "\n\nspher").string();
   const std::string b = folder.write("b.bo", "\n#include c.bc").string();
   const std::string a = folder.write("a.b", "#include b.bo").string();
@@ -119,7 +120,7 @@ TEST_CASE("an error in an include shows the chain of includes") {
 }
 
 TEST_CASE("a missing include shows the chain of includes") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::string b = folder.write("b.bo", "\n#include c.bc").string();
   const std::string a = folder.write("a.b", "#include b.bo").string();
   const std::string error = error_of_file(a);
@@ -128,7 +129,7 @@ TEST_CASE("a missing include shows the chain of includes") {
 }
 
 TEST_CASE("a cycle of includes is an error that shows the chain") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::string b = folder.write("b.bo", "#include x/../a.b").string();
   folder.write("x/unused", "");
   const std::string a = folder.write("a.b", "\n#include b.bo").string();
@@ -138,7 +139,7 @@ TEST_CASE("a cycle of includes is an error that shows the chain") {
 }
 
 TEST_CASE("a condition must close in the file that opens it") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::string b = folder.write("b.bo", "#ifdef A").string();
   const std::string a = folder.write("a.b", "#include b.bo\n#endif").string();
   const std::string error = error_of_file(a);
@@ -149,7 +150,7 @@ TEST_CASE("a condition must close in the file that opens it") {
 }
 
 TEST_CASE("only regular files are read") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   CHECK(error_of_file(folder.path()) ==
         folder.path().string() + ": not a regular file; give a plain one");
   CHECK(error_of_file(folder.path() / "none.b") ==
@@ -171,7 +172,7 @@ TEST_CASE("an expansion bomb is an error, also where it leaves no words") {
 }
 
 TEST_CASE("includes that multiply are stopped") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (int i = 0; i < 20; ++i) {
     folder.write(fmt::format("f{}", i), fmt::format("#include f{0}\n#include f{0}\n", i + 1));
   }
@@ -181,7 +182,7 @@ TEST_CASE("includes that multiply are stopped") {
 }
 
 TEST_CASE("includes that never end are stopped by their depth") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (int i = 0; i < 70; ++i) {
     folder.write(fmt::format("f{}", i), fmt::format("#include f{}\n", i + 1));
   }
@@ -190,7 +191,7 @@ TEST_CASE("includes that never end are stopped by their depth") {
 }
 
 TEST_CASE("a message stays on one line whatever a file is called") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::string error = error_of_file(folder.write("two\nlines.b", "x"));
   CHECK(error.find("lines.b:1: ") != std::string::npos);
   CHECK(error.find('\n') == std::string::npos);

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "compiler/scene/bob_reader.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

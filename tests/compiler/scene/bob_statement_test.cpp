@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

@@ -7,7 +7,8 @@
 
 #include "compiler/scene/bob_reader.h"
 #include "compiler/scene/texture_map.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -53,7 +54,7 @@ TEST_CASE("a pattern is moved by its steps in their order, and by the transform 
 }
 
 TEST_CASE("a map is found beside the file that names it or on the include path") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::string use = "surface { texture { map \"tiles.png\" } } " + std::string(kBall);
   folder.write("parts/tiles.png", tiles());
   folder.write("parts/tiled.bo", "#define TILED " + use);
@@ -78,7 +79,7 @@ TEST_CASE("a map is found beside the file that names it or on the include path")
 }
 
 TEST_CASE("a scene's source changes with the pixels of its maps") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file =
       folder.write("map.b", "surface { texture { map \"tiles.png\" } } " + std::string(kBall));
   folder.write("tiles.png", tiles());
@@ -117,7 +118,7 @@ TEST_CASE("a picture with more pixels than are left is refused before they are r
 }
 
 TEST_CASE("a file that is no picture is an error of the line that names it") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("text.png", "not a picture");
   const auto file = folder.write("map.b", "\nsurface { texture { map \"text.png\" } }");
   const std::string error = error_of_file(file);

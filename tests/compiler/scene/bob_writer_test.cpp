@@ -7,8 +7,9 @@
 #include "compiler/render/renderer.h"
 #include "compiler/scene/bob_reader.h"
 #include "compiler/scene/scene_reader.h"
-#include "mesh_samples.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/mesh_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -225,7 +226,7 @@ TEST_CASE("a random scene that is written and read gives the same pictures") {
 }
 
 TEST_CASE("a mesh file becomes a Bob scene with the same pictures") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const SampleFile file = cube_ply("ascii", false);
   const Scene scene = std::move(read_scene(folder.write(file.name, file.bytes))).value();
   const Scene back = read_back(scene);

@@ -8,6 +8,7 @@
 #include "compiler/scene/scene_reader.h"
 #include "mesh_samples.h"
 #include "scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -138,7 +139,7 @@ std::map<std::string, Sample> samples() {
 TEST_CASE("every source of colours in the table shows as its specification or viewer has it") {
   const std::map<std::string, Sample> all = samples();
   CHECK(all.size() == kColourSources.size());
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("a.png", png());
   for (const ColourSource& source : kColourSources) {
     const std::string name = std::string(source.format) + " " + std::string(source.place);

@@ -8,6 +8,7 @@
 #include "compiler/scene/scene_reader.h"
 #include "mesh_samples.h"
 #include "scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -84,7 +85,7 @@ std::string textured(const std::string& pbr_info = "", const std::string& sample
 }
 
 Scene scene_of(const std::string& text, const SceneReading& reading = {}) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   Result<Scene> scene = read_scene(folder.write("a.gltf", text), reading);
   if (!scene) FAIL(scene.error());
   return std::move(scene).value();
@@ -97,7 +98,7 @@ Vector3d colour_of(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const Result<Scene> scene = read_scene(folder.write("a.gltf", text));
   return scene.ok() ? "no error" : scene.error();
 }
@@ -204,7 +205,7 @@ TEST_CASE("a material, texture or image that is not there is told") {
 }
 
 TEST_CASE("a picture beside the file is found by its percents, case and backslashes") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("my tex.png", halves_png());
   for (const std::string uri :
        {"my%20tex.png", "my tex.png", "My%20Tex.png", "C:\\\\t\\\\my tex.png"}) {
@@ -247,7 +248,7 @@ TEST_CASE("nodes move, turn and scale what they hold, by parts or by a matrix") 
     const std::string plain = "\"nodes\":[{\"mesh\":0}]";
     text.replace(text.find(plain), plain.size(),
                  "\"nodes\":[{\"children\":[1]," + node + "},{\"mesh\":0}]");
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Result<ColouredMesh> mesh = read_coloured_mesh(folder.write("a.gltf", text));
     if (!mesh) FAIL(mesh.error());
     return mesh.value().vertices.at(1);  // 1 0 0 in its own coordinates
@@ -272,7 +273,7 @@ TEST_CASE("strips and fans are triangles that are wound alike") {
         R"("bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{"byteLength":48,)"
         R"("uri":"data:;base64,)" +
         base64(buffer) + "\"}]}";
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Result<ColouredMesh> mesh = read_coloured_mesh(folder.write("a.gltf", text));
     if (!mesh) FAIL(mesh.error());
     REQUIRE(mesh.value().triangles.size() == 2);
@@ -294,7 +295,7 @@ TEST_CASE("sparse accessors replace single elements") {
       R"("byteOffset":4}}}],"bufferViews":[{"buffer":0,"byteLength":28}],)"
       R"("buffers":[{"byteLength":28,"uri":"data:;base64,)" +
       base64(buffer) + "\"}]}";
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const Result<ColouredMesh> mesh = read_coloured_mesh(folder.write("a.gltf", text));
   if (!mesh) FAIL(mesh.error());
   CHECK(mesh.value().vertices ==

@@ -4,6 +4,7 @@
 #include "compiler/scene/scene_reader.h"
 #include "compiler/scene/tds_materials.h"
 #include "scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -55,7 +56,7 @@ void check_told(const std::filesystem::path& file, const std::string& line) {
 }  // namespace
 
 TEST_CASE("a material that a 3DS file does not define is told") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.3ds", tds("other"));
   check_told(file, file.string() + ": material 'm' is not defined");
   const Result<Scene> whole = read_scene(folder.write("a.3ds", tds("m")));
@@ -64,7 +65,7 @@ TEST_CASE("a material that a 3DS file does not define is told") {
 }
 
 TEST_CASE("a picture that a 3DS file names and that is not there is told") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file =
       folder.write("a.3ds", tds("m", chunk(0xA200, chunk(0xA300, "C:\\maps\\none.png\0"s))));
   check_told(file, file.string() + ": texture 'C:\\maps\\none.png' is not there");
@@ -83,13 +84,13 @@ TEST_CASE("chunks of a 3DS file that are cut off or lie about their sizes end th
 }
 
 TEST_CASE("a place in a colour map that an OFF file does not hold is told with its line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n");
   check_told(file, file.string() + ":6: colour '7' is a place in a colour map");
 }
 
 TEST_CASE("an OFF file that promises colours of vertices and has some is refused with the line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file =
       folder.write("a.off", "COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
   const Result<Scene> scene = read_scene(file);
@@ -98,7 +99,7 @@ TEST_CASE("an OFF file that promises colours of vertices and has some is refused
 }
 
 TEST_CASE("faces without a colour among others are counted") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
   const std::string corners = float_bytes({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
   const auto file_of = [&](const std::string& name) {

@@ -9,15 +9,17 @@
 #include "compiler/render/renderer.h"
 #include "compiler/scene/mesh_reader.h"
 #include "compiler/scene/scene_reader.h"
-#include "mesh_samples.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/mesh_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
 
 using Eigen::Vector3d;
 
-Scene read(const ScratchFolder& folder, const SampleFile& file, const SceneReading& reading = {}) {
+Scene read(const TemporaryFolder& folder, const SampleFile& file,
+           const SceneReading& reading = {}) {
   Result<Scene> scene = read_scene(folder.write(file.name, file.bytes), reading);
   if (!scene) FAIL(scene.error());
   return std::move(scene).value();
@@ -42,14 +44,14 @@ void require_cube_pictures(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("a cube in PLY, text or binary, coloured by face or vertex, looks like Bob's") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"})
     for (const bool of_vertices : {false, true})
       require_cube_pictures(read(folder, cube_ply(format, of_vertices)));
 }
 
 TEST_CASE("a cube in OFF, coloured by face or vertex, looks like Bob's") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (const bool of_vertices : {false, true})
     require_cube_pictures(read(folder, cube_off(of_vertices)));
 }
@@ -79,13 +81,13 @@ TEST_CASE("whole numbers are parts of 255, or of what their type holds, and othe
 }
 
 TEST_CASE("a cube in binary STL with the colours of either kind looks like Bob's") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (const bool magics : {false, true})
     require_cube_pictures(read(folder, cube_binary_stl(magics)));
 }
 
 TEST_CASE("a cube in text STL is coloured by its solids' names or numbers") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   SceneReading by_name, by_number;
   for (std::size_t k = 0; k < 6; ++k) {
     by_name.colours.by_name[cube_faces()[k].name] = cube_faces()[k].colour;
@@ -105,7 +107,7 @@ TEST_CASE("a cube in text STL is coloured by its solids' names or numbers") {
 }
 
 TEST_CASE("a cube in OBJ, glTF and GLB has its materials' colours and looks like Bob's") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write(cube_mtl().name, cube_mtl().bytes);
   for (const SampleFile& file : {cube_obj(), cube_gltf(), cube_glb()}) {
     INFO(file.name);
@@ -114,7 +116,7 @@ TEST_CASE("a cube in OBJ, glTF and GLB has its materials' colours and looks like
 }
 
 TEST_CASE("a material's colour can be replaced by its name") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   SceneReading reading;
   reading.colours.by_name["side3"] = {.5, .25, 0};
   const Scene scene = read(folder, cube_gltf(), reading);
@@ -122,7 +124,7 @@ TEST_CASE("a material's colour can be replaced by its name") {
 }
 
 TEST_CASE("a cube in 3DS looks like Bob's: z stays upwards") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write(cube_mtl().name, cube_mtl().bytes);
   const auto obj = folder.write(cube_obj().name, cube_obj().bytes);
   Assimp::Importer importer;
@@ -137,7 +139,7 @@ TEST_CASE("a cube in 3DS looks like Bob's: z stays upwards") {
 }
 
 TEST_CASE("a cube that Assimp wrote as glTF, GLB or OBJ looks like Bob's") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write(cube_mtl().name, cube_mtl().bytes);
   const auto obj = folder.write(cube_obj().name, cube_obj().bytes);
   Assimp::Importer importer;
@@ -157,7 +159,7 @@ TEST_CASE("a cube that Assimp wrote as glTF, GLB or OBJ looks like Bob's") {
 }
 
 TEST_CASE("a cube in DXF looks like Bob's, by layer, true colour and polyface") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (const SampleFile& file : {cube_dxf_faces(true), cube_dxf_faces(false), cube_dxf_polyface()})
     require_cube_pictures(read(folder, file));
 }

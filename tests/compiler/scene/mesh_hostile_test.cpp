@@ -6,8 +6,9 @@
 #include "compiler/scene/isolated_reader.h"
 #include "compiler/scene/mesh_reader.h"
 #include "compiler/scene/scene_reader.h"
-#include "mesh_samples.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/mesh_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -65,7 +66,7 @@ TEST_CASE("files with bytes changed at random are read or refused in one line") 
 }
 
 TEST_CASE("what goes through Assimp is read or refused in one line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write(cube_mtl().name, cube_mtl().bytes);
   std::mt19937 random(6);
   for (const SampleFile& file : {cube_obj(), cube_gltf(), cube_glb(), cube_text_stl()})
@@ -99,7 +100,7 @@ TEST_CASE("sizes that a file only claims are not believed") {
 }
 
 TEST_CASE("missing, empty and wrong files are refused in one line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (const char* name :
        {"a.obj", "a.ply", "a.stl", "a.gltf", "a.glb", "a.dxf", "a.off", "a.3ds"}) {
     const auto path = folder.path() / name;

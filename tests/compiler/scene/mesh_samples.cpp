@@ -1,4 +1,4 @@
-#include "mesh_samples.h"
+#include "tests/compiler/scene/mesh_samples.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "compiler/scene/picture_fit.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

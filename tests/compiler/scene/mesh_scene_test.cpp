@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "compiler/scene/picture_fit.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

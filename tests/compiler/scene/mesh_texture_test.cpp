@@ -6,8 +6,9 @@
 
 #include "compiler/render/renderer.h"
 #include "compiler/scene/scene_reader.h"
-#include "mesh_samples.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/mesh_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -90,7 +91,7 @@ Seen seen_from_above(Scene scene) {
 }  // namespace
 
 TEST_CASE("a texture's pieces have its colours alone, its areas and its places") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("disc.png", disc_png());
   folder.write("m.mtl", "newmtl tex\nKd 0 0 0\nmap_Kd disc.png\n");
   folder.write("square.obj", textured_obj());

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compiler/scene/bob_reader.h"
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 namespace {

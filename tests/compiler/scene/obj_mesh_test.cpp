@@ -11,6 +11,7 @@
 #include "compiler/scene/scene_reader.h"
 #include "mesh_samples.h"
 #include "scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -65,7 +66,7 @@ void check_told(const std::filesystem::path& file, const std::string& place,
 }  // namespace
 
 TEST_CASE("a library that is not there is told with its line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("part.obj", "# by hand\n" + obj_with("mtllib none.mtl\n"));
   check_told(file, file.string() + ":2:", "mtllib 'none.mtl' is not there");
   folder.write("two.mtl", "newmtl green\nKd 0 1 0\n");
@@ -74,7 +75,7 @@ TEST_CASE("a library that is not there is told with its line") {
 }
 
 TEST_CASE("a library is found in spite of its case, another system's folders or a mark in front") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("part.mtl", kRedLibrary);
   folder.write("my part.mtl", kRedLibrary);
   folder.write("sub/deep.mtl", "\xEF\xBB\xBF" + kRedLibrary);
@@ -94,7 +95,7 @@ TEST_CASE("a library is found in spite of its case, another system's folders or 
 }
 
 TEST_CASE("lines end in line feeds, carriage returns or both, in the file and its library") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto with_ends = [](std::string text, const std::string& end) {
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
       text.replace(at, 1, end);
@@ -109,7 +110,7 @@ TEST_CASE("lines end in line feeds, carriage returns or both, in the file and it
 }
 
 TEST_CASE("two files whose names differ in case alone are not chosen between") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("part.mtl", kRedLibrary);
   folder.write("PART.mtl", kRedLibrary);
   CHECK_THAT(refusal(folder.write("part.obj", obj_with("mtllib Part.mtl\n"))),
@@ -117,7 +118,7 @@ TEST_CASE("two files whose names differ in case alone are not chosen between") {
 }
 
 TEST_CASE("a material that no library has is told with its line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("part.mtl", "newmtl rod\nKd 1 0 0\n");
   const auto file = folder.write("part.obj", obj_with("mtllib part.mtl\n"));
   check_told(file, file.string() + ":8:", "usemtl 'red' is in no library");
@@ -131,7 +132,7 @@ TEST_CASE("a material that no library has is told with its line") {
 }
 
 TEST_CASE("a material that no face shows may be missing, and a library that nothing needs") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("part.mtl", kRedLibrary);
   const Scene scene = scene_at(
       folder.write("part.obj", obj_with("mtllib part.mtl\nmtllib none.mtl\nusemtl unused\n")));
@@ -141,7 +142,7 @@ TEST_CASE("a material that no face shows may be missing, and a library that noth
 }
 
 TEST_CASE("a part that is given a colour by its number lacks none") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   SceneReading reading;
   reading.colours.by_name["0"] = {1, .5, 0};
   const auto file = folder.write("part.obj", obj_with("mtllib none.mtl\n"));
@@ -154,7 +155,7 @@ TEST_CASE("a part that is given a colour by its number lacks none") {
 }
 
 TEST_CASE("a picture that is not there or no picture is told with the library's line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto mtl = folder.write("part.mtl", kRedLibrary + "map_Kd tex.png\n");
   const auto file = folder.write("part.obj", obj_with("mtllib part.mtl\n"));
   check_told(file, mtl.string() + ":3:", "map_Kd 'tex.png' is not there");
@@ -163,7 +164,7 @@ TEST_CASE("a picture that is not there or no picture is told with the library's 
 }
 
 TEST_CASE("a picture is found with backslashes, in another case, with options and spaces") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("tex.png", blue_png());
   folder.write("maps/my tex.png", blue_png());
   const auto file = folder.write("part.obj", obj_with("mtllib part.mtl\n"));
@@ -177,7 +178,7 @@ TEST_CASE("a picture is found with backslashes, in another case, with options an
 }
 
 TEST_CASE("faces without texture coordinates do not lose their picture without a word") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("tex.png", blue_png());
   folder.write("part.mtl", "newmtl red\nmap_Kd tex.png\n");
   const auto file =
@@ -186,7 +187,7 @@ TEST_CASE("faces without texture coordinates do not lose their picture without a
 }
 
 TEST_CASE("Kd is r g b, one number for all three, or CIE XYZ; a spectral curve is told") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("part.obj", obj_with("mtllib part.mtl\n"));
   const auto colour = [&](const std::string& kd) {
     folder.write("part.mtl", "newmtl red\n" + kd + "\n");
@@ -208,7 +209,7 @@ TEST_CASE("Kd is r g b, one number for all three, or CIE XYZ; a spectral curve i
 }
 
 TEST_CASE("vertices of which some have colours and some not are an error") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("part.obj",
                                  "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nv 0 0 1 1 0 0\n"
                                  "f 1 2 4\nf 1 2 3\n");
@@ -225,7 +226,7 @@ TEST_CASE("vertices of which some have colours and some not are an error") {
 }
 
 TEST_CASE("colours of vertices are parts of 1, or of 255 where one is above 1") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto colour = [&](const std::string& rgb) {
     return only_colour(scene_at(folder.write(
         "part.obj", "v 0 0 0 " + rgb + "\nv 1 0 0 " + rgb + "\nv 0 1 0 " + rgb + "\nf 1 2 3\n")));
@@ -235,7 +236,7 @@ TEST_CASE("colours of vertices are parts of 1, or of 255 where one is above 1") 
 }
 
 TEST_CASE("faces are those that Assimp reads, whatever the dress of the file") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write(cube_mtl().name, cube_mtl().bytes);
   const std::string square = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvn 0 0 1\nvt 0 0\n";
   for (const std::string& text :
@@ -276,7 +277,7 @@ TEST_CASE("faces are those that Assimp reads, whatever the dress of the file") {
 }
 
 TEST_CASE("indices that are not there are told with their line") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   for (const std::string face :
        {"f 1 2 4", "f 1 2 0", "f 1 2 -4", "f 1/4 2/1 3/1", "f 1 2 x", "f 1 2 99999999999"}) {
     INFO(face);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "scene_samples.h"
+#include "tests/compiler/scene/scene_samples.h"
 
 namespace aspect {
 

@@ -11,6 +11,7 @@
 #include "compiler/scene/mesh_reader.h"
 #include "mesh_samples.h"
 #include "scene_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -164,7 +165,7 @@ const std::string kTexcoord = "property list uchar float texcoord\n";
 const std::string kTexnumber = "property int texnumber\n";
 const std::string kTwo = "comment TextureFile red.png\ncomment TextureFile green.png\n";
 
-std::string error_of_ply(const ScratchFolder& folder, const std::string& bytes) {
+std::string error_of_ply(const TemporaryFolder& folder, const std::string& bytes) {
   const auto file = folder.write("a.ply", bytes);
   const Result<Scene> scene = read_mesh(file);
   if (scene.ok()) return "no error";
@@ -175,7 +176,7 @@ std::string error_of_ply(const ScratchFolder& folder, const std::string& bytes) 
 }  // namespace
 
 TEST_CASE("coordinates in a PLY file's faces put each colour on its side, in every format") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("all sides.png", png_of(cube_colours()));
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     INFO(format);
@@ -186,7 +187,7 @@ TEST_CASE("coordinates in a PLY file's faces put each colour on its side, in eve
 }
 
 TEST_CASE("coordinates of a PLY file's vertices do the same, whatever they are called") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("sides.png", png_of(cube_colours()));
   for (const auto& [u, v] : {std::pair{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
     Rows rows("ascii");
@@ -205,7 +206,7 @@ TEST_CASE("coordinates of a PLY file's vertices do the same, whatever they are c
 }
 
 TEST_CASE("coordinates that faces of a scanner's PLY file point at do the same") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::vector<Vector3d> colours = cube_colours();
   folder.write("0.png", png_of({colours[0], colours[1], colours[2]}));
   folder.write("1.png", png_of({colours[3], colours[4], colours[5]}));
@@ -231,7 +232,7 @@ TEST_CASE("coordinates that faces of a scanner's PLY file point at do the same")
 }
 
 TEST_CASE("of several textures a PLY face has the one of its number, below zero none") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("red.png", png_of({kRed}));
   folder.write("green.png", png_of({kGreen}));
   const std::string bytes =
@@ -248,7 +249,7 @@ TEST_CASE("of several textures a PLY face has the one of its number, below zero 
 }
 
 TEST_CASE("PLY faces without coordinates among textured ones are counted, and grey") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("red.png", png_of({kRed}));
   const ColouredMesh mesh =
       read(folder.write("a.ply", squares("comment TextureFile red.png\n", kTexcoord, [](int k) {
@@ -261,7 +262,7 @@ TEST_CASE("PLY faces without coordinates among textured ones are counted, and gr
 }
 
 TEST_CASE("a PLY texture that is not there is an error with the line that names it") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto textured = [](const std::string& comments) {
     return squares(comments, kTexcoord, [](int) { return whole_picture(); });
   };
@@ -292,7 +293,7 @@ TEST_CASE("a PLY texture that is not there is an error with the line that names 
 }
 
 TEST_CASE("PLY textures that fit no face, or no one face, are errors") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("red.png", png_of({kRed}));
   folder.write("green.png", png_of({kGreen}));
   const auto whole = [](int) { return whole_picture(); };
@@ -314,7 +315,7 @@ TEST_CASE("PLY textures that fit no face, or no one face, are errors") {
 }
 
 TEST_CASE("a colour that is given stands for a PLY texture that is not there, and it is told") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   folder.write("green.png", png_of({kGreen}));
   const auto file = folder.write("a.ply", squares(kTwo, kTexcoord + kTexnumber, [](int k) {
                                    return fmt::format("{} {}", whole_picture(), k % 2);

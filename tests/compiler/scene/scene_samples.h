@@ -24,21 +24,4 @@ const Shape& shape_of(const Scene& scene, std::size_t index = 0) {
   return std::get<Shape>(scene.primitives.at(index).shape);
 }
 
-// A folder of its own under the system's temporary one, gone with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder();
-
-  const std::filesystem::path& path() const { return path_; }
-
-  // Writes a file, with its folders, and gives its path.
-  std::filesystem::path write(const std::string& name, std::string_view text) const;
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace aspect

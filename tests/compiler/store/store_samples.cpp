@@ -1,27 +1,12 @@
 #include "tests/compiler/store/store_samples.h"
 
-#include <stdlib.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace aspect {
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "aspect_store_XXXXXX").string();
-  REQUIRE(mkdtemp(name.data()) != nullptr);
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
-  std::filesystem::remove_all(path_, ignored);
-}
 
 const StoreKey& sample_key() {
   static const StoreKey key{"3f2a90", "min_level=2 max_level=7 threshold=10000"};

@@ -8,23 +8,9 @@
 #include <vector>
 
 #include "compiler/store/store.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
-
-// A fresh folder, removed with all it holds.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 using ByteList = std::vector<std::byte>;
 

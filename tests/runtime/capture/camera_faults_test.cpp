@@ -2,7 +2,7 @@
 #include <cerrno>
 
 #include "tests/runtime/capture/camera_bench.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

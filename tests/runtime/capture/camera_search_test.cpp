@@ -6,7 +6,7 @@
 
 #include "runtime/capture/v4l2_text.h"
 #include "tests/runtime/capture/fake_kernel.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "runtime/capture/pnm_picture.h"
 #include "tests/runtime/capture/sample_pictures.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "runtime/capture/recorded_frames.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

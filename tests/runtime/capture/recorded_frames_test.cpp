@@ -6,7 +6,7 @@
 
 #include "runtime/capture/stderr_capture.h"
 #include "tests/runtime/capture/sample_pictures.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

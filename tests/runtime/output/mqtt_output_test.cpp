@@ -8,9 +8,9 @@
 
 #include "runtime/output/listener.h"
 #include "runtime/output/outputs.h"
-#include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/output/made_lines.h"
 #include "tests/runtime/output/output_clients.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

@@ -5,8 +5,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/output/made_lines.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <mutex>
 
-#include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/output/output_clients.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "schema/class_index_generated.h"
 #include "tests/rounds.h"
-#include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/recognition/hostile_index.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

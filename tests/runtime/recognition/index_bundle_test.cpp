@@ -8,8 +8,8 @@
 #include "compiler/index/bundle_writer.h"
 #include "schema/index_bundle_generated.h"
 #include "tests/rounds.h"
-#include "tests/runtime/capture/temporary_folder.h"
 #include "tests/runtime/recognition/hostile_index.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

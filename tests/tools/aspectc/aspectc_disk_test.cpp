@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/small_disk.h"
 

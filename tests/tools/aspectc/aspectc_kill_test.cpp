@@ -10,7 +10,7 @@
 #include <random>
 #include <regex>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/aspectc/terminal_program.h"
 

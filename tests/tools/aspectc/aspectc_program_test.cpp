@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/recognition/class_index.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {

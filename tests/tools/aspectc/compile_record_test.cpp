@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tools/aspectc/options/option_table.h"
 #include "tools/aspectc/record/compile_record.h"
 #include "tools/aspectc/record/content_hash.h"

@@ -1,4 +1,5 @@
 // Every entry of the option table, by key and by flag.
+#include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
 #include <set>
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/recognition/index_bundle.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "tests/compiler/scene/mesh_samples.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {

@@ -1,7 +1,7 @@
 // aspectc as its users start it.
 #pragma once
 
-#include "tests/tools/child_program.h"
+#include "tests/child_program.h"
 
 namespace aspect {
 

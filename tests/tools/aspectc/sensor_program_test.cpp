@@ -1,9 +1,6 @@
 // Indexes for other sensors than colour, from the scene to the recognised frame.
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,7 +10,7 @@
 
 #include "runtime/recognition/class_index.h"
 #include "schema/class_index_generated.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 
 namespace aspect {
@@ -48,10 +45,7 @@ class Workplace {
     return run_aspectc(folder_.path(), arguments);
   }
   Outcome replay(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.path().native() + "' && '" ASPECT_REPLAY "' " +
-                                arguments + " >out 2>err </dev/null";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), read_file(file("out")), read_file(file("err"))};
+    return run_shell(folder_.path(), "'" ASPECT_REPLAY "' " + arguments);
   }
   fs::path file(const std::string& name) const { return folder_.path() / name; }
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {

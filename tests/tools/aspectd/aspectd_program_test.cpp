@@ -9,8 +9,9 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/runtime/capture/temporary_folder.h"
-#include "tests/tools/child_program.h"
+#include "tests/child_program.h"
+#include "tests/temporary_folder.h"
+#include "tests/tools/json_lines.h"
 #include "tests/tools/tiny_index.h"
 
 namespace aspect {
@@ -65,13 +66,6 @@ class Station {
 
   TemporaryFolder folder_;
 };
-
-std::vector<json> lines_of(const Outcome& outcome) {
-  std::vector<json> lines;
-  std::istringstream stream(outcome.out);
-  for (std::string line; std::getline(stream, line);) lines.push_back(json::parse(line));
-  return lines;
-}
 
 TEST_CASE("Help and version are printed, and wrong usage is exit code 2") {
   const Station station;
@@ -147,7 +141,7 @@ TEST_CASE("The configurations of boards are right but for the camera") {
 TEST_CASE("Without its camera aspectd says so, waits, and ends when it is told to") {
   const Outcome outcome = Station().live();
   CHECK(outcome.exit_code == 0);
-  const auto lines = lines_of(outcome);
+  const auto lines = json_lines(outcome.out);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0]["state"] == "absent");
   CHECK(lines[0]["camera"] == "/dev/no-such-camera");
@@ -167,7 +161,7 @@ TEST_CASE("A reload takes a good configuration and refuses a bad one") {
         child.send(SIGHUP);
       });
   CHECK(outcome.exit_code == 0);
-  const auto lines = lines_of(outcome);
+  const auto lines = json_lines(outcome.out);
   REQUIRE(lines.size() == 3);
   CHECK(lines[1]["state"] == "reload_failed");
   CHECK_THAT(lines[1]["reason"].get<std::string>(), StartsWith("gone.aspect: cannot be read"));
@@ -182,7 +176,7 @@ TEST_CASE("A reload with another camera looks for that one") {
         "true\n");
     child.send(SIGHUP);
   });
-  const auto lines = lines_of(outcome);
+  const auto lines = json_lines(outcome.out);
   REQUIRE(lines.size() >= 2);
   CHECK(lines[1]["camera"] == "serial:none");
 }

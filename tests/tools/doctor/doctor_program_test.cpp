@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/aspectc/run_aspectc.h"
 #include "tests/tools/doctor/sick_meshes.h"
 #include "tools/doctor/repair.h"

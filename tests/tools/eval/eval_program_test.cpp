@@ -1,11 +1,10 @@
 // aspect-eval as its users start it.
-#include <sys/wait.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/child_program.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -17,11 +16,6 @@ const std::string kCube =
     " --index cube.aspect --scene '" ASPECT_SOURCE_DIR "/tests/data/rendered/cube.b' ";
 const std::string kMisfit =
     " --index cube.aspect --scene '" ASPECT_SOURCE_DIR "/tests/data/rendered/l_shape.b' ";
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 class Evaluations {
  public:
@@ -37,13 +31,7 @@ class Evaluations {
   Outcome eval(const std::string& arguments) const { return run("'" ASPECT_EVAL "' " + arguments); }
 
  private:
-  Outcome run(const std::string& command) const {
-    const std::string line =
-        "cd '" + folder_.path().native() + "' && " + command + " >out 2>err </dev/null";
-    const int status = std::system(line.c_str());
-    return {WEXITSTATUS(status), read_file(folder_.path() / "out"),
-            read_file(folder_.path() / "err")};
-  }
+  Outcome run(const std::string& command) const { return run_shell(folder_.path(), command); }
   TemporaryFolder folder_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/scene/bob_reader.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tools/eval/evaluation_json.h"
 #include "tools/eval/evaluation_text.h"
 

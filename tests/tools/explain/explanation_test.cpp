@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/scene/mesh_scene.h"
 #include "tests/compiler/aspects/symmetric_scenes.h"
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/tools/doctor/sick_meshes.h"
 
 namespace aspect {

@@ -1,6 +1,5 @@
 // aspect-score as its users start it, and against the script that its rules come from.
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,7 +10,8 @@
 #include <random>
 #include <sstream>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/child_program.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -20,11 +20,6 @@ namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using nlohmann::json;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 const std::string kHead =
     "file,object,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx,ty,tz,vx,vy,vz,x,y,w,h,visible\n";
@@ -49,13 +44,7 @@ class Scores {
         frame, sequence, sequence, object, view);
   }
 
-  Outcome run(const std::string& command) const {
-    const std::string line =
-        "cd '" + folder_.path().native() + "' && " + command + " >out 2>err </dev/null";
-    const int status = std::system(line.c_str());
-    return {WEXITSTATUS(status), read_file(folder_.path() / "out"),
-            read_file(folder_.path() / "err")};
-  }
+  Outcome run(const std::string& command) const { return run_shell(folder_.path(), command); }
   Outcome score(const std::string& arguments) const {
     return run("'" ASPECT_SCORE "' " + arguments);
   }

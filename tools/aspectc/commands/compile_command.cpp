@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/compile_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <atomic>
 #include <filesystem>

@@ -1,11 +1,14 @@
 // aspectc SCENE|PROJECT.toml: from scenes to class indexes.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "tools/aspectc/options/option_flags.h"
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/convert_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 

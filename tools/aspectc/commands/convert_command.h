@@ -1,9 +1,12 @@
 // aspectc convert IN OUT.b: any scene as a Bob scene.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

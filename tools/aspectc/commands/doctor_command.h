@@ -1,8 +1,11 @@
 // aspectc doctor FILE: what is wrong with a model before time is spent on it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/explain_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "tools/aspectc/commands/command_failure.h"
 #include "tools/aspectc/project/prepared_object.h"

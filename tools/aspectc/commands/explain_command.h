@@ -1,10 +1,13 @@
 // aspectc explain FILE.store: what to expect of a compiled model, and what would make it better.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "tools/explain/explanation.h"
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

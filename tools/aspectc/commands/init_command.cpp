@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/init_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cerrno>
 #include <cstdio>

@@ -1,8 +1,11 @@
 // aspectc init SCENE: writes a commented project.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/inspect_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cmath>

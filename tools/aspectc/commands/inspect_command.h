@@ -1,8 +1,11 @@
 // aspectc inspect FILE: an index in words, or as JSON; a store likewise.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/models_info_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "tools/aspectc/commands/command_failure.h"
 #include "tools/aspectc/commands/whole_file.h"

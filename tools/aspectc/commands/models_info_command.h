@@ -3,12 +3,15 @@
 // docs/bop_datasets_format).
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/recognition/class_index.h"
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

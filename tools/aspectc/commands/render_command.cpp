@@ -1,6 +1,7 @@
 #include "tools/aspectc/commands/render_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>

@@ -2,9 +2,12 @@
 // it. Range and surface frames are pictures of 16 bits.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

@@ -1,6 +1,7 @@
 #include "tools/aspectc/options/option_flags.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "tools/aspectc/options/option_text.h"
 

@@ -1,10 +1,13 @@
 // The options of the table on a command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "tools/aspectc/options/option_table.h"
+
+namespace CLI {
+class App;
+}
 
 namespace aspect {
 

@@ -25,7 +25,7 @@ std::string wrapped_comment(std::string_view text) {
 }
 
 // In TOML a basic string escapes these and control characters.
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   std::string result(1, '"');
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -110,7 +110,7 @@ std::string init_text(const std::string& scene_file, const Scene& scene) {
       "# Every key is there with the value that it has when it is left out.\n\n"
       "# Relative to this file.\nscene = {}\n# Of the object, and of the files written.\n"
       "# name = {}\n",
-      quoted(scene_file), quoted(scene.name));
+      toml_string(scene_file), toml_string(scene.name));
   std::string_view table;
   for (const Option& option : compile_option_table()) {
     if (option.text.table != table) {

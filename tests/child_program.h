@@ -3,7 +3,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,5 +33,8 @@ class ChildProgram {
   int status_ = 0;
   bool ended_ = false;
 };
+
+// Runs a line of the shell's in that folder. What it prints goes to the files out and err there.
+Outcome run_shell(const std::filesystem::path& folder, const std::string& line);
 
 }  // namespace aspect

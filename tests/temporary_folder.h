@@ -15,6 +15,9 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  // Writes a file, with its folders, and gives its path.
   std::filesystem::path write(const std::string& name, std::string_view bytes) const;
 
  private:

@@ -1,4 +1,4 @@
-#include "tests/tools/child_program.h"
+#include "tests/child_program.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -7,7 +7,7 @@
 #include <csignal>
 #include <stdexcept>
 
-#include "tests/runtime/capture/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace aspect {
 namespace {
@@ -55,6 +55,10 @@ Outcome ChildProgram::wait() {
   if (!ended_) ended_ = waitpid(id_, &status_, 0) == id_;
   return {WIFEXITED(status_) ? WEXITSTATUS(status_) : -1, read_file(folder_ / "out"),
           read_file(folder_ / "err")};
+}
+
+Outcome run_shell(const std::filesystem::path& folder, const std::string& line) {
+  return ChildProgram("/bin/sh", folder, {"-c", line}).wait();
 }
 
 }  // namespace aspect
