@@ -15,7 +15,7 @@ struct BorderPoint {
   ColourClass inside = kBackgroundClass, outside = kBackgroundClass;
 };
 
-inline constexpr std::size_t kMaxBorderPoints = 192;
+inline constexpr std::size_t kMaxBorderPoints = 128;
 
 // Points spread evenly over the borders that the drawing shows; returns how many. A point lies on
 // an edge of the model, is hidden by nothing, and has the edge's own colour on one side and another

@@ -19,7 +19,7 @@ struct StraightPoint {
 
 class ModelDrawing {
  public:
-  static constexpr int kMostCells = 96;  // along a side
+  static constexpr int kMostCells = 64;  // along a side
 
   void prepare(Arena& arena, std::size_t most_vertices);
 

@@ -7,7 +7,7 @@ namespace aspect {
 namespace {
 
 // Cells of a drawing that is only compared coarsely.
-constexpr int kCoarseCells = 32;
+constexpr int kCoarseCells = 24;
 
 Vector3d doubles(const Vector3& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "runtime/recognition/normal_equations.h"
 
@@ -11,7 +10,8 @@ namespace aspect {
 namespace {
 
 constexpr int kLeastBorders = 6;
-constexpr int kRoundCells = 64, kNearRounds = 2;
+constexpr int kRoundCells = 48, kNearRounds = 3;
+constexpr double kSettled_px = 0.3;
 
 // A border found at `distance_px` along the normal, in the straight picture.
 struct FoundBorder {
@@ -120,6 +120,11 @@ RigidPose moved(const RigidPose& pose, const Vector3d& centre, const std::array<
   return next;
 }
 
+// How far a point of the object moves, at most.
+double size_of(const std::array<double, 6>& step, double radius) {
+  return radius * norm({step[0], step[1], step[2]}) + norm({step[3], step[4], step[5]});
+}
+
 }  // namespace
 
 RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
@@ -127,7 +132,8 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
                         float reach_px, RefinementScratch& scratch) {
   RefinedPose refined;
   refined.pose = start;
-  constexpr float kLeastReach_px = 3;
+  constexpr float kLeastReach_px = 3, kOutlineReach = 0.6F;
+  const float first_reach_px = reach_px;
   const double size = std::max(model.radius, 1e-12);
   for (int round = 0; round <= rounds; ++round) {
     // Only the last one is compared with the picture cell by cell.
@@ -164,7 +170,11 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
     const std::optional<std::array<double, 6>> step = equations.solve(size);
     if (!step) return refined;
     refined.pose = moved(refined.pose, model.centre, *step);
-    reach_px *= 0.6F;
+    if (size_of(*step, size) * camera.fx_px < kSettled_px * refined.pose(model.centre)[2])
+      round = std::max(round, near ? rounds - 1 : rounds - kNearRounds - 1);
+    // Outlines are looked for from farther away again: what is a pixel or two beside the border
+    // that was looked for first may be the object's whole side.
+    reach_px = round == rounds - kNearRounds - 1 ? kOutlineReach * first_reach_px : 0.6F * reach_px;
   }
   return refined;
 }
@@ -176,6 +186,8 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
         column >= 0 && row >= 0 && column < drawing.width() && row < drawing.height();
     return inside ? drawing.cell(column, row).colour : kBackgroundClass;
   };
+  // Cells that blur may reach over.
+  const int rim = drawing.cell_px() < 1.5F ? 2 : 1;
   int either = 0, same = 0, near = 0;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
@@ -183,18 +195,27 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
       const Point2d p = camera.bent(
           {static_cast<double>(drawing.x_px(column)), static_cast<double>(drawing.y_px(row))});
       const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y);
-      if (drawn == kBackgroundClass && seen.at(x, y) == kBackgroundClass) continue;
+      const ColourClass of_region = seen.at(x, y);
+      if (drawn == kBackgroundClass && of_region == kBackgroundClass) continue;
       ++either;
-      if (seen.shows(drawn, x, y)) {
+      if (of_region == drawn) {
         ++same;
         continue;
       }
-      for (const auto& [right, down] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-        const ColourClass beside = drawn_at(column + right, row + down);
-        if (beside == drawn || !seen.shows(beside, x, y)) continue;
-        ++near;
-        break;
+      // A region may have grown over a border between two colours that are alike, and a face in
+      // little light is none.
+      const ColourClass of_pixel = seen.at_pixel(x, y);
+      if (of_pixel == drawn && drawn != kBackgroundClass) {
+        ++same;
+        continue;
       }
+      const auto shows_beside = [&](int right, int down) {
+        const ColourClass beside = drawn_at(column + right, row + down);
+        return beside != drawn && (beside == of_region || beside == of_pixel);
+      };
+      if (shows_beside(-rim, 0) || shows_beside(rim, 0) || shows_beside(0, -rim) ||
+          shows_beside(0, rim))
+        ++near;
     }
   if (either == 0) return {};
   const auto share = [&](int count) {

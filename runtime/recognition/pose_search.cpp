@@ -7,13 +7,14 @@
 namespace aspect {
 namespace {
 
-constexpr std::size_t kMostStarted = 10;
+constexpr std::size_t kMostStarted = 8;
 constexpr int kRounds = 7;
 // Of two that start, or end, so near to each other one is enough.
 constexpr double kSameStart_rad = 0.2, kSamePose_rad = 0.05;
 constexpr double kSameTurn = 1e-6;
-// A start that explains this much less than the best one is not refined.
-constexpr float kHopeful = 0.7F;
+// A start that explains this much less than the best one is not refined: before a pose is found
+// that leaves next to nothing unexplained, and after.
+constexpr float kHopeful = 0.7F, kRival = 0.85F, kExplained = 0.06F;
 
 struct Start {
   Hypothesis* hypothesis = nullptr;
@@ -24,6 +25,12 @@ struct Start {
 // Rims tell poses apart, and count half since blur does as well.
 double score_of(const Agreement& agreement) {
   return (static_cast<double>(agreement.all) + static_cast<double>(agreement.all_but_rims)) / 2;
+}
+
+float least_unexplained(std::span<const VerifiedPose> poses) {
+  float least = 1;
+  for (const VerifiedPose& pose : poses) least = std::min(least, 1 - pose.agreement.all);
+  return least;
 }
 
 // Where the camera is, seen from the object.
@@ -130,7 +137,8 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
   std::size_t found = 0;
   double least = 1;
   for (const Start& start : std::span(starts).first(most)) {
-    if (start.agreement < kHopeful * starts[0].agreement) break;
+    const bool explained = found > 0 && least_unexplained(poses.first(found)) < kExplained;
+    if (start.agreement < (explained ? kRival : kHopeful) * starts[0].agreement) break;
     VerifiedPose& pose = poses[found];
     pose = verify(*start.hypothesis, start.pose, blob, kRounds);
     pose.refined.pose = canonical(pose.refined.pose, indexes_[start.hypothesis->index]);

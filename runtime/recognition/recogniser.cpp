@@ -141,7 +141,9 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, std::size_t blob_p
     const std::size_t classes = candidates;
     candidates = fit_shortlist(seen, classes);
     raise_neighbours(candidates);
-    if (parameters_.poses) find_poses(candidates, blob_place);
+    // A model has colours, which other sensors do not see.
+    if (parameters_.poses && parameters_.vision.sensor == SensorKind::colour)
+      find_poses(candidates, blob_place);
     // Second views were only worth a try.
     const auto all = candidates_.first(candidates);
     candidates = static_cast<std::size_t>(

@@ -56,11 +56,10 @@ ColourClass SeenColours::nearest_to(const std::array<float, 3>& rgb) const {
   return named;
 }
 
-bool SeenColours::shows(ColourClass colour, float x_px, float y_px) const {
-  const ColourClass of_region = at(x_px, y_px);
-  if (of_region == colour) return true;
-  return of_region != kBackgroundClass && colour != kBackgroundClass &&
-         nearest_to(rgb(x_px, y_px)) == colour;
+ColourClass SeenColours::at_pixel(float x_px, float y_px) const {
+  constexpr float kLeastSum = 40;
+  const std::array<float, 3> colour = rgb(x_px, y_px);
+  return colour[0] + colour[1] + colour[2] < kLeastSum ? kBackgroundClass : nearest_to(colour);
 }
 
 ColourClass SeenColours::at(float x_px, float y_px) const {

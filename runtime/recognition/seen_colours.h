@@ -33,9 +33,8 @@ class SeenColours {
   // Of the pixel that holds a point.
   ColourClass at(float x_px, float y_px) const;
 
-  // Whether the region or the pixel itself has that colour: a region may have grown over a border
-  // between two that are alike.
-  bool shows(ColourClass colour, float x_px, float y_px) const;
+  // By the pixel's own colour, not its region's.
+  ColourClass at_pixel(float x_px, float y_px) const;
 
   // Mean of the four pixels around a point, by their distance; black outside of what was seen.
   std::array<float, 3> rgb(float x_px, float y_px) const;
