@@ -8,9 +8,11 @@
 
 #include "compiler/aspects/border_classes.h"
 #include "compiler/aspects/symmetry.h"
+#include "compiler/index/calibration.h"
 #include "compiler/index/class_model.h"
 #include "compiler/index/contour_types.h"
 #include "compiler/index/golden_choice.h"
+#include "compiler/index/index_bytes.h"
 #include "compiler/recipe.h"
 
 namespace aspect {
@@ -54,6 +56,13 @@ Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
                                       subdivision.value().sphere.vertex_count()});
   if (!kept) return Error{kept.error()};
   return subdivision;
+}
+
+// How far the written index can be trusted.
+std::optional<Calibration> calibration_of(const Workshop& workshop, const Scene& scene,
+                                          const std::vector<std::uint8_t>& bytes) {
+  const Result<ClassIndex> index = parse_index(std::as_bytes(std::span(bytes)), scene.name);
+  return index ? calibrated(workshop, scene, index.value()) : std::nullopt;
 }
 
 }  // namespace
@@ -117,6 +126,9 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
       write_index({scene, scene_hash, options, subdivision, clusters, sphere_classes, classes,
                    types, symmetries, golden, packed_model(scene)});
   statistics.index = index.statistics;
+  if (const auto calibration = calibration_of(workshop, scene, index.bytes))
+    set_calibration(index.bytes, *calibration);
+  if (stopped()) return interrupted;
   statistics.seconds.emit = clock.stage_s();
   statistics.seconds.total = clock.total_s();
   return CompiledIndex{std::move(index.bytes), statistics};

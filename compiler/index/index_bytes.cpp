@@ -81,6 +81,14 @@ flatbuffers::Offset<fb::Model> write_model(flatbuffers::FlatBufferBuilder& build
   return fb::CreateModel(builder, &least, &unit, &up, model.error, vertices, triangles, paints);
 }
 
+void set_checksum(std::vector<std::uint8_t>& bytes) {
+  auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
+  const auto offset =
+      static_cast<std::size_t>(table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM) - bytes.data());
+  const std::uint64_t checksum = index_checksum(std::as_bytes(std::span(bytes)), offset);
+  table->SetField(fb::ClassIndex::VT_CHECKSUM, checksum, std::uint64_t{0});
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const IndexArrays& arrays,
@@ -100,6 +108,8 @@ std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const Index
     types.insert(types.end(), type.begin(), type.end());
   const Studio& studio = contents.scene.studio;
   const fb::Extent extent = packed_extent(contents.scene);
+  const Calibration usual;
+  const fb::Calibration calibration(usual.slope, usual.even);
   const auto root = fb::CreateClassIndex(
       builder, kIndexFormatVersion, 0, builder.CreateString(contents.scene.name), provenance,
       segmentation, static_cast<fb::Scoring>(options.scoring), static_cast<float>(studio.angle_deg),
@@ -111,16 +121,19 @@ std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const Index
       builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map),
       builder.CreateVectorOfStructs(packed_rotations(contents.symmetries)),
       builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent,
-      write_golden_frame(builder, golden), write_model(builder, contents));
+      write_golden_frame(builder, golden), write_model(builder, contents), &calibration);
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
                                   builder.GetBufferPointer() + builder.GetSize());
-  auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
-  const auto offset =
-      static_cast<std::size_t>(table->GetAddressOf(fb::ClassIndex::VT_CHECKSUM) - bytes.data());
-  const std::uint64_t checksum = index_checksum(std::as_bytes(std::span(bytes)), offset);
-  table->SetField(fb::ClassIndex::VT_CHECKSUM, checksum, std::uint64_t{0});
+  set_checksum(bytes);
   return bytes;
+}
+
+void set_calibration(std::vector<std::uint8_t>& bytes, const Calibration& calibration) {
+  auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
+  auto* place = table->GetStruct<fb::Calibration*>(fb::ClassIndex::VT_CALIBRATION);
+  *place = fb::Calibration(calibration.slope, calibration.even);
+  set_checksum(bytes);
 }
 
 }  // namespace aspect

@@ -7,12 +7,15 @@
 
 #include "compiler/index/index_arrays.h"
 #include "compiler/index/index_contents.h"
-#include "runtime/recognition/golden_frame.h"
+#include "runtime/recognition/class_index.h"
 
 namespace aspect {
 
 std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const IndexArrays& arrays,
                                       const std::vector<std::uint8_t>& map,
                                       const std::optional<GoldenFrame>& golden);
+
+// Written over the one that the bytes have.
+void set_calibration(std::vector<std::uint8_t>& bytes, const Calibration& calibration);
 
 }  // namespace aspect

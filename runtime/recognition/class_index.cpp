@@ -258,6 +258,16 @@ Problem unpack_model(const fb::ClassIndex& root, ClassIndex& index) {
   return {};
 }
 
+// Without one, the usual one stands.
+Problem unpack_calibration(const fb::ClassIndex& root, ClassIndex& index) {
+  const fb::Calibration* c = root.calibration();
+  if (c == nullptr) return {};
+  if (!(c->slope() > 0 && c->slope() <= 1e6F && c->even() >= 0 && c->even() <= 2))
+    return {"holds a calibration that cannot be" + recompile()};
+  index.calibration = {c->slope(), c->even()};
+  return {};
+}
+
 // Absent in indexes made before there were any, and where no view was fit for it.
 Problem unpack_golden_frame(const fb::ClassIndex& root, ClassIndex& index) {
   const fb::GoldenFrame* g = root.golden_frame();
@@ -318,8 +328,9 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   const fb::ClassIndex& root = *fb::GetClassIndex(bytes.data());
   ClassIndex index;
   index.file_bytes = bytes.size();
-  for (const auto& unpack_part : {unpack_settings, unpack_types, unpack_key_views, unpack_classes,
-                                  unpack_symmetries, unpack_model, unpack_golden_frame}) {
+  for (const auto& unpack_part :
+       {unpack_settings, unpack_types, unpack_key_views, unpack_classes, unpack_symmetries,
+        unpack_model, unpack_calibration, unpack_golden_frame}) {
     if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
   }
   if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);

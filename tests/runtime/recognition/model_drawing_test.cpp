@@ -112,7 +112,7 @@ TEST_CASE("Border points lie on borders of what is seen, with the colours of the
     REQUIRE(drawer.drawing.draw(model, pose, kCamera, {220, 140, 200, 200}));
     std::array<BorderPoint, kMaxBorderPoints> points;
     const std::size_t count = find_border_points(model, drawer.drawing, points);
-    CHECK(count > 40);
+    CHECK(count > 20);
     int right = 0;
     for (const BorderPoint& p : std::span(points).first(count)) {
       constexpr float kStep_px = 2.5F;
