@@ -10,7 +10,7 @@ demo_packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
   libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
-  libassimp-dev libpng-dev libxxhash-dev
+  libassimp-dev libpng-dev libxxhash-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev  # the tools'
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev
 )

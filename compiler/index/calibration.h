@@ -11,8 +11,9 @@ namespace aspect {
 
 // Frames of the object at several sizes, in other light, with blur and noise, and as many of what
 // is not the object: with one surface of another of its colours, of other proportions, and in other
-// colours altogether. The curve is the likeliest one, for as many objects as others (Platt, Probabilistic outputs, 1999).
-// Nothing where the index has no model. Same result for any number of threads.
+// colours altogether. The curve is the likeliest one, for as many objects as others (Platt,
+// Probabilistic outputs, 1999). Nothing where the index has no model. Same result for any number of
+// threads.
 std::optional<Calibration> calibrated(const Workshop& workshop, const Scene& scene,
                                       const ClassIndex& index);
 

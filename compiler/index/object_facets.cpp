@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "compiler/index/packing.h"
+#include "compiler/index/surface_simplification.h"
 #include "compiler/scene/ear_clipping.h"
 #include "compiler/scene/scene_extent.h"
 #include "runtime/recognition/object_model.h"
@@ -19,6 +20,11 @@ namespace {
 namespace fb = ::aspect::schema;
 
 constexpr double kTurn = 2 * std::numbers::pi;
+
+// More are simplified: a device draws some dozen models for a frame, and has few KiB for each.
+constexpr std::size_t kEnoughTriangles = 2000;
+// More are no object to hold.
+constexpr std::size_t kMostTriangles = 4U << 20U;
 
 // A circle about `centre`, as a polygon whose sides stray by at most `error` from it: half of that
 // to either side. The same circle always gives the same corners, so that neighbours meet.
@@ -53,8 +59,9 @@ int sides_of(double radius, double error) {
   return kMost;
 }
 
-bool same(const fb::Paint& a, const fb::Paint& b) {
-  return a.red() == b.red() && a.green() == b.green() && a.blue() == b.blue();
+int squared_distance(const fb::Paint& a, const fb::Paint& b) {
+  const int r = a.red() - b.red(), g = a.green() - b.green(), blue = a.blue() - b.blue();
+  return r * r + g * g + blue * blue;
 }
 
 class Facets {
@@ -75,13 +82,45 @@ class Facets {
       std::visit([this](const auto& shape) { add(shape); }, primitive.shape);
       if (is_too_large()) return {};
     }
-    return std::move(model_);
+    if (surface_.triangles.size() > kEnoughTriangles) {
+      SimplifiedSurface simplified = simplified_surface(surface_, kEnoughTriangles, error_);
+      surface_ = std::move(simplified.surface);
+      model_.error += simplified.error;
+    }
+    return model_of_surface();
   }
 
  private:
-  bool is_too_large() const {
-    return model_.vertices.size() > kMaxModelVertices ||
-           model_.triangles.size() > kMaxModelTriangles || model_.paints.size() > kMaxModelColours;
+  bool is_too_large() const { return surface_.triangles.size() > kMostTriangles; }
+
+  // Only what triangles have.
+  PackedModel model_of_surface() {
+    if (surface_.triangles.size() > kMaxModelTriangles) return {};
+    constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    std::vector<std::uint32_t> place_of(surface_.points.size(), kNone);
+    for (const ColouredTriangle& t : surface_.triangles) {
+      std::array<std::uint16_t, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        std::uint32_t& place = place_of[t.corners[k]];
+        if (place == kNone) {
+          if (model_.vertices.size() == kMaxModelVertices) return {};
+          place = static_cast<std::uint32_t>(model_.vertices.size());
+          const std::array<std::uint16_t, 3> at = grid_place(surface_.points[t.corners[k]]);
+          model_.vertices.emplace_back(at[0], at[1], at[2]);
+        }
+        corners[k] = static_cast<std::uint16_t>(place);
+      }
+      model_.triangles.emplace_back(corners[0], corners[1], corners[2], t.paint);
+    }
+    return std::move(model_);
+  }
+
+  std::array<std::uint16_t, 3> grid_place(const Eigen::Vector3d& p) const {
+    std::array<std::uint16_t, 3> place{};
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      place[static_cast<std::size_t>(axis)] = packed<std::uint16_t>(
+          model_.unit[axis] > 0 ? (p[axis] - model_.least[axis]) / model_.unit[axis] : 0, 1);
+    return place;
   }
 
   std::uint16_t paint_of(const Surface& surface) {
@@ -90,27 +129,35 @@ class Facets {
     const fb::Paint paint(packed<std::uint8_t>(c.x() / most, 255),
                           packed<std::uint8_t>(c.y() / most, 255),
                           packed<std::uint8_t>(c.z() / most, 255));
-    for (std::size_t k = 0; k < model_.paints.size(); ++k)
-      if (same(model_.paints[k], paint)) return static_cast<std::uint16_t>(k);
+    std::size_t nearest = 0;
+    int least = -1;
+    for (std::size_t k = 0; k < model_.paints.size(); ++k) {
+      const int distance = squared_distance(model_.paints[k], paint);
+      if (least >= 0 && distance >= least) continue;
+      least = distance;
+      nearest = k;
+    }
+    // What is one colour too many has that of the nearest.
+    if (least == 0 || model_.paints.size() == kMaxModelColours)
+      return static_cast<std::uint16_t>(nearest);
     model_.paints.push_back(paint);
     return static_cast<std::uint16_t>(model_.paints.size() - 1);
   }
 
-  std::uint16_t vertex(const Eigen::Vector3d& p) {
-    std::array<std::uint16_t, 3> place{};
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      place[static_cast<std::size_t>(axis)] = packed<std::uint16_t>(
-          model_.unit[axis] > 0 ? (p[axis] - model_.least[axis]) / model_.unit[axis] : 0, 1);
+  std::uint32_t vertex(const Eigen::Vector3d& p) {
+    const std::array<std::uint16_t, 3> place = grid_place(p);
     const auto [found, is_new] =
-        vertex_at_.try_emplace(place, static_cast<std::uint16_t>(model_.vertices.size()));
-    if (is_new && !is_too_large()) model_.vertices.emplace_back(place[0], place[1], place[2]);
+        vertex_at_.try_emplace(place, static_cast<std::uint32_t>(surface_.points.size()));
+    if (is_new)
+      surface_.points.push_back(
+          model_.least + model_.unit.cwiseProduct(Eigen::Vector3d(place[0], place[1], place[2])));
     return found->second;
   }
 
   void add_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     if (is_too_large()) return;
-    const std::uint16_t i = vertex(a), j = vertex(b), k = vertex(c);
-    if (i != j && j != k && k != i) model_.triangles.emplace_back(i, j, k, paint_);
+    const std::uint32_t i = vertex(a), j = vertex(b), k = vertex(c);
+    if (i != j && j != k && k != i) surface_.triangles.push_back({{i, j, k}, paint_});
   }
 
   void add(const Polygon& polygon) {
@@ -145,13 +192,20 @@ class Facets {
              sides_of(std::max(cone.base_radius, cone.apex_radius), error_));
   }
 
+  // Corners lie as far outside as the middles of facets lie inside.
   void add(const Sphere& sphere) {
-    const int sides = sides_of(sphere.radius, error_ / 3), bands = sides / 2;
-    const double radius = sphere.radius * Rim::stretch(sides);
+    const auto stretch = [](int sides) {
+      const double c = std::cos(kTurn / 2 / sides);
+      return 2 / (1 + c * c);
+    };
+    int sides = 8;
+    while (sides < 96 && sphere.radius * (stretch(sides) - 1) > error_) sides += 4;
+    const int bands = sides / 2;
+    const double radius = sphere.radius * stretch(sides);
     const auto rim = [&](int band) {
       const double angle = kTurn / 2 * band / bands;
       return Rim(sphere.center - radius * std::cos(angle) * Eigen::Vector3d::UnitZ(),
-                 Eigen::Vector3d::UnitZ(), sphere.radius * std::sin(angle));
+                 Eigen::Vector3d::UnitZ(), radius * std::sin(angle) / Rim::stretch(sides));
     };
     for (int band = 0; band < bands; ++band) add_band(rim(band), rim(band + 1), sides);
   }
@@ -159,8 +213,9 @@ class Facets {
   const Scene& scene_;
   double error_ = 0;
   std::uint16_t paint_ = 0;
-  std::map<std::array<std::uint16_t, 3>, std::uint16_t> vertex_at_;
-  PackedModel model_;
+  std::map<std::array<std::uint16_t, 3>, std::uint32_t> vertex_at_;
+  ColouredSurface surface_;
+  PackedModel model_;  // its grid and paints first
 };
 
 }  // namespace

@@ -20,8 +20,9 @@ struct PackedModel {
 };
 
 // Round surfaces become facets that stray from them by at most kModelError of the scene's diameter.
-// A textured surface has its plain colour. Empty where the scene has no
-// surface, or more triangles than an index may hold.
+// Where there are many triangles, as meshes have, they are simplified by as much again, or by more
+// where that leaves too many. A textured surface has its plain colour. Empty where the scene has no
+// surface, or one that cannot be simplified enough.
 inline constexpr double kModelError = 0.003;
 PackedModel packed_model(const Scene& scene);
 
