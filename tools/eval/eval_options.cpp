@@ -19,14 +19,17 @@ constexpr const char* kFooter = R"(
 The right class is the one whose views come nearest to the viewpoint. "With symmetry" a class also
 counts as right where a proper rotation of the object, found in its scene, takes it to the right
 one. The error of the view direction is that of the best hypothesis, modulo these rotations; 180
-degrees where there is none. That of the pose is too: of the turn in degrees, of the place of the
-object's centre in per cent of its distance, and of the model's vertices in pixels (root mean
-square). Medians and 90th percentiles are of the views with a pose, what is within 5 is of all.
+degrees where there is none. With several objects every picture is also recognised with all indexes
+at once. The same options give the same views and the same results everywhere, but for the times.
+
+The error of the pose is that of the best hypothesis as well: its turn in degrees modulo the same
+rotations, the place of the object's centre in % of its distance, and the model's vertices in px
+(root mean square). Medians and 90th percentiles are of the views with a pose; what is within 5 is a
+share of all views.
 
 A match is right where the best hypothesis names the object that is there. The expected calibration
-error is how far the probability is from the share that is right, over ten equal bins of it; with
-one object alone every name is right, so give those that it is to be told from. With several objects every picture is also recognised with all indexes
-at once. The same options give the same views and the same results everywhere, but for the times.
+error is how far the probability is from the share that is right: the mean over ten equal bins,
+weighted by their views. With one object every name is right; give those that it is to be told from.
 
 Exit code: 0 done, 1 a file was no good (one line on standard error), 2 wrong usage.
 
