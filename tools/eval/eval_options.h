@@ -18,6 +18,7 @@ struct EvalOptions {
   Matching matching = Matching::weighted;
   RecogniserParameters::Ranking ranking = RecogniserParameters::Ranking::views;
   bool json = false;
+  std::filesystem::path reliability;  // of a plot; empty: none
 };
 
 // The complaint where indexes and scenes are not as many.

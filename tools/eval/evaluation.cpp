@@ -39,6 +39,12 @@ ErrorSummary summarise(const std::vector<double>& errors_deg) {
           within(20)};
 }
 
+ErrorSpread spread_of(const std::vector<double>& errors, std::size_t views) {
+  const auto within = std::count_if(errors.begin(), errors.end(), [](double e) { return e <= 5; });
+  return {percentile(errors, 0.5), percentile(errors, 0.9),
+          static_cast<double>(within) / static_cast<double>(views)};
+}
+
 void summarise(ObjectEvaluation& evaluation) {
   const auto& outcomes = evaluation.outcomes;
   for (std::size_t k = 0; k < kReportedRanks.size(); ++k) {
@@ -49,11 +55,15 @@ void summarise(ObjectEvaluation& evaluation) {
         share_of(outcomes, [&](const auto& o) { return counts(o.rank_with_symmetry); });
   }
   std::vector<double> errors, times;
+  std::vector<JudgedView> judged;
   for (const ViewOutcome& outcome : outcomes) {
     errors.push_back(outcome.error_deg);
+    judged.push_back(outcome.judged);
     times.push_back(outcome.elapsed_ms);
   }
   evaluation.error = summarise(errors);
+  evaluation.pose = summarise_poses(outcomes);
+  evaluation.reliability = reliability_of(judged);
   evaluation.mean_ms = mean(times);
   evaluation.median_ms = percentile(times, 0.5);
 }
@@ -100,7 +110,7 @@ ObjectEvaluation evaluate_object(const EvaluatedObject& object,
   for (const AspectClass& aspect : object.index.classes)
     evaluation.area_fraction += static_cast<double>(aspect.area_fraction);
   const ClassSymmetry symmetry(object.index, object.views, object.rotations);
-  TestBench bench({&object.index, 1}, settings);
+  TestBench bench({&object.index, 1}, settings, common_lens({&object, 1}));
   int uncovered = 0, nothing = 0;
   for (const Eigen::Vector3d& direction :
        random_directions(static_cast<std::size_t>(settings.views), settings.seed)) {
@@ -121,11 +131,13 @@ Confusion evaluate_confusion(std::span<const EvaluatedObject> objects,
   for (const EvaluatedObject& object : objects) indexes.push_back(object.index);
   const auto directions =
       random_directions(static_cast<std::size_t>(settings.views), settings.seed);
-  TestBench bench(indexes, settings);
+  TestBench bench(indexes, settings, common_lens(objects));
   Confusion confusion;
+  std::vector<JudgedView> all_judged;
   for (std::size_t truth = 0; truth < objects.size(); ++truth) {
     std::vector<int> counts(objects.size() + 1, 0);
     std::vector<double> errors, times;
+    std::vector<JudgedView> judged;
     for (const Eigen::Vector3d& direction : directions) {
       const Recognition recognition = bench.recognise(objects[truth], direction);
       const auto hypotheses = hypotheses_of(recognition);
@@ -134,12 +146,36 @@ Confusion evaluate_confusion(std::span<const EvaluatedObject> objects,
       errors.push_back(
           found == truth ? error_deg(objects[truth], direction, hypotheses.front().view) : 180);
       times.push_back(milliseconds(recognition.elapsed));
+      judged.push_back(judged_view(recognition, truth));
     }
     confusion.counts.push_back(std::move(counts));
     confusion.error.push_back(summarise(errors));
     confusion.median_ms.push_back(percentile(times, 0.5));
+    confusion.reliability.push_back(reliability_of(judged));
+    all_judged.insert(all_judged.end(), judged.begin(), judged.end());
   }
+  confusion.total_reliability = reliability_of(all_judged);
   return confusion;
+}
+
+std::optional<PoseSummary> summarise_poses(std::span<const ViewOutcome> outcomes) {
+  std::vector<double> rotations_deg, translations_percent, reprojections_px;
+  for (const ViewOutcome& outcome : outcomes) {
+    if (!outcome.pose) continue;
+    rotations_deg.push_back(outcome.pose->rotation_deg);
+    translations_percent.push_back(outcome.pose->translation_percent);
+    reprojections_px.push_back(outcome.pose->reprojection_px);
+  }
+  if (rotations_deg.empty()) return std::nullopt;
+  const std::size_t views = outcomes.size();
+  return PoseSummary{static_cast<double>(rotations_deg.size()) / static_cast<double>(views),
+                     spread_of(rotations_deg, views), spread_of(translations_percent, views),
+                     spread_of(reprojections_px, views)};
+}
+
+const Reliability& overall_reliability(const Evaluation& evaluation) {
+  return evaluation.confusion ? evaluation.confusion->total_reliability
+                              : evaluation.objects.front().reliability;
 }
 
 double percentile(std::vector<double> values, double share) {

@@ -18,6 +18,47 @@ Json error_json(const ErrorSummary& error) {
           {"percent_within_20", 100 * error.within_20}};
 }
 
+Json spread_json(const ErrorSpread& spread) {
+  return {{"median", spread.median}, {"p90", spread.p90}, {"within_5", spread.within_5}};
+}
+
+Json poses_json(const std::optional<PoseSummary>& pose) {
+  if (!pose) return nullptr;
+  return {{"percent_found", 100 * pose->found_share},
+          {"rotation_deg", spread_json(pose->rotation_deg)},
+          {"translation_percent", spread_json(pose->translation_percent)},
+          {"reprojection_px", spread_json(pose->reprojection_px)}};
+}
+
+Json pose_error_json(const std::optional<PoseError>& error) {
+  if (!error) return nullptr;
+  return {{"rotation_deg", error->rotation_deg},
+          {"translation_percent", error->translation_percent},
+          {"reprojection_px", error->reprojection_px}};
+}
+
+Json reliability_json(const Reliability& reliability) {
+  const auto right = reliability.right_match_share(),
+             error = reliability.expected_calibration_error();
+  Json json{{"match", reliability.matches},
+            {"ambiguous", reliability.ambiguous},
+            {"unknown", reliability.unknown},
+            {"not_judged", reliability.not_judged},
+            {"percent_matches_right", right ? Json(100 * *right) : Json()},
+            {"expected_calibration_error", error ? Json(*error) : Json()},
+            {"bins", Json::array()}};
+  for (const ReliabilityBin& bin : reliability.bins)
+    json["bins"].push_back({{"count", bin.count},
+                            {"mean_probability", bin.mean_probability},
+                            {"right_share", bin.right_share}});
+  return json;
+}
+
+const char* verdict_name(Verdict verdict) {
+  constexpr std::array kNames = {"none", "match", "ambiguous", "unknown"};
+  return kNames.at(static_cast<std::size_t>(verdict));
+}
+
 Json ranks_json(const std::array<double, kReportedRanks.size()>& shares) {
   Json json;
   for (std::size_t k = 0; k < shares.size(); ++k)
@@ -36,6 +77,8 @@ Json object_json(const ObjectEvaluation& object) {
             {"percent_right", ranks_json(object.right)},
             {"percent_right_with_symmetry", ranks_json(object.right_with_symmetry)},
             {"view_error_deg", error_json(object.error)},
+            {"pose", poses_json(object.pose)},
+            {"reliability", reliability_json(object.reliability)},
             {"elapsed_ms", {{"mean", object.mean_ms}, {"median", object.median_ms}}},
             {"views", Json::array()}};
   for (const ViewOutcome& outcome : object.outcomes)
@@ -45,6 +88,9 @@ Json object_json(const ObjectEvaluation& object) {
          {"rank", outcome.rank},
          {"rank_with_symmetry", outcome.rank_with_symmetry},
          {"error_deg", outcome.error_deg},
+         {"pose_error", pose_error_json(outcome.pose)},
+         {"verdict", verdict_name(outcome.judged.verdict)},
+         {"probability", outcome.judged.probability},
          {"elapsed_ms", outcome.elapsed_ms}});
   return json;
 }
@@ -60,7 +106,8 @@ Json confusion_json(const Evaluation& evaluation) {
                     {"found", std::move(found)},
                     {"found_none", counts.back()},
                     {"view_error_deg", error_json(evaluation.confusion->error[truth])},
-                    {"elapsed_ms", {{"median", evaluation.confusion->median_ms[truth]}}}});
+                    {"elapsed_ms", {{"median", evaluation.confusion->median_ms[truth]}}},
+                    {"reliability", reliability_json(evaluation.confusion->reliability[truth])}});
   }
   return rows;
 }
@@ -77,7 +124,10 @@ std::string evaluation_json(const Evaluation& evaluation) {
             {"objects", Json::array()}};
   for (const ObjectEvaluation& object : evaluation.objects)
     json["objects"].push_back(object_json(object));
-  if (evaluation.confusion) json["confusion"] = confusion_json(evaluation);
+  if (evaluation.confusion) {
+    json["confusion"] = confusion_json(evaluation);
+    json["reliability"] = reliability_json(evaluation.confusion->total_reliability);
+  }
   return json.dump(1) + "\n";
 }
 

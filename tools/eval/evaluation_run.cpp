@@ -7,9 +7,11 @@
 #include <cstdio>
 
 #include "runtime/recognition/index_bundle.h"
+#include "tools/aspectc/commands/whole_file.h"
 #include "tools/command_line/command_line.h"
 #include "tools/eval/evaluation_json.h"
 #include "tools/eval/evaluation_text.h"
+#include "tools/eval/reliability_svg.h"
 #include "tools/replay/console.h"
 
 namespace aspect {
@@ -80,10 +82,23 @@ std::vector<EvaluatedObject> load_objects(std::vector<NamedIndex> indexes,
   return objects;
 }
 
+void write_plot(const Evaluation& evaluation, const std::filesystem::path& file, Console& console) {
+  const std::string svg = reliability_svg(overall_reliability(evaluation));
+  const auto* first = reinterpret_cast<const std::uint8_t*>(svg.data());
+  if (const auto done = write_whole_file(file, {first, svg.size()}); !done)
+    console.fail(done.error());
+}
+
 }  // namespace
 
 int run_evaluation(const EvalOptions& options) {
   Console console("aspect-eval");
+  if (!options.reliability.empty()) {
+    if (const auto done = check_writable(options.reliability); !done) {
+      console.fail(done.error());
+      return 1;
+    }
+  }
   std::vector<NamedIndex> indexes = load_index_files(options, console);
   if (console.failures() > 0) return 1;
   if (indexes.size() != options.scenes.size()) {
@@ -100,10 +115,10 @@ int run_evaluation(const EvalOptions& options) {
   }
   if (objects.size() > 1) evaluation.confusion = evaluate_confusion(objects, evaluation.settings);
   const std::string text = options.json ? evaluation_json(evaluation) : evaluation_text(evaluation);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
-    return 0;
-  console.fail("standard output: cannot be written; check where it goes");
-  return 1;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    console.fail("standard output: cannot be written; check where it goes");
+  if (!options.reliability.empty()) write_plot(evaluation, options.reliability, console);
+  return console.failures() > 0 ? 1 : 0;
 }
 
 }  // namespace aspect

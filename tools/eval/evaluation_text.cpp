@@ -71,6 +71,57 @@ void add_errors(const Evaluation& evaluation, std::size_t width, Text& out) {
   }
 }
 
+void add_poses(const Evaluation& evaluation, std::size_t width, Text& out) {
+  out.add(
+      "\nError of the best hypothesis's pose, modulo the object's rotations: turn in degrees, "
+      "place "
+      "in % of\nthe distance, vertices in px (root mean square); of views with a pose, <= 5 of "
+      "all\n"
+      "\n{:{}}  {:>7}",
+      "", width, "");
+  for (const char* head : {"degrees", "% of distance", "px"}) out.add("  {:>25}", head);
+  out.add("\n{:{}}  {:>7}", "object", width, "poses %");
+  for (int thrice = 0; thrice < 3; ++thrice)
+    out.add("  {:>7}  {:>7}  {:>7}", "median", "90 %", "<= 5 %");
+  out.add("\n");
+  for (const ObjectEvaluation& object : evaluation.objects) {
+    out.add("{:{}}", object.object, width);
+    if (object.pose) {
+      out.add("  {:>7.1f}", 100 * object.pose->found_share);
+      for (const ErrorSpread* spread :
+           {&object.pose->rotation_deg, &object.pose->translation_percent,
+            &object.pose->reprojection_px})
+        out.add("  {:>7.2f}  {:>7.2f}  {:>7.1f}", spread->median, spread->p90,
+                100 * spread->within_5);
+    } else {
+      out.add("  {:>7}", "none");
+    }
+    out.add("\n");
+  }
+}
+
+void add_reliability_head(std::size_t width, Text& out) {
+  out.add("{:{}}  {:>7}  {:>9}  {:>7}  {:>10}  {:>15}  {:>17}\n", "object", width, "match",
+          "ambiguous", "unknown", "not judged", "matches right %", "calibration error");
+}
+
+void add_reliability(const std::string& name, std::size_t width, const Reliability& reliability,
+                     Text& out) {
+  const auto right = reliability.right_match_share(),
+             error = reliability.expected_calibration_error();
+  out.add("{:{}}  {:>7}  {:>9}  {:>7}  {:>10}  {:>15}  {:>17}\n", name, width, reliability.matches,
+          reliability.ambiguous, reliability.unknown, reliability.not_judged,
+          right ? fmt::format("{:.1f}", 100 * *right) : "-",
+          error ? fmt::format("{:.3f}", *error) : "-");
+}
+
+void add_verdicts(const Evaluation& evaluation, std::size_t width, Text& out) {
+  out.add("\nVerdicts, number of views, and the expected calibration error of the probability\n\n");
+  add_reliability_head(width, out);
+  for (const ObjectEvaluation& object : evaluation.objects)
+    add_reliability(object.object, width, object.reliability, out);
+}
+
 void add_confusion(const Evaluation& evaluation, std::size_t width, Text& out) {
   const Confusion& confusion = *evaluation.confusion;
   out.add("\nAll indexes at once: which object comes first, number of views\n\n");
@@ -90,6 +141,11 @@ void add_confusion(const Evaluation& evaluation, std::size_t width, Text& out) {
     add_error(evaluation.objects[truth].object, width, confusion.error[truth], out);
     out.add("  {:>9.2f}\n", confusion.median_ms[truth]);
   }
+  out.add("\nVerdicts with all indexes, number of views, and the expected calibration error\n\n");
+  add_reliability_head(width, out);
+  for (std::size_t truth = 0; truth < confusion.reliability.size(); ++truth)
+    add_reliability(evaluation.objects[truth].object, width, confusion.reliability[truth], out);
+  add_reliability("(all)", width, confusion.total_reliability, out);
 }
 
 }  // namespace
@@ -104,6 +160,8 @@ std::string evaluation_text(const Evaluation& evaluation) {
   const std::size_t width = name_width(evaluation);
   add_ranks(evaluation, width, out);
   add_errors(evaluation, width, out);
+  add_poses(evaluation, width, out);
+  add_verdicts(evaluation, width, out);
   if (evaluation.confusion) add_confusion(evaluation, width, out);
   return out.text;
 }

@@ -8,8 +8,10 @@ namespace aspect {
 namespace {
 
 RecogniserParameters parameters_for(std::span<const ClassIndex> indexes,
-                                    const EvaluationSettings& settings) {
+                                    const EvaluationSettings& settings,
+                                    const std::optional<CalibratedCamera>& camera) {
   RecogniserParameters parameters;
+  parameters.camera = camera;
   parameters.vision = indexes.front().vision;
   parameters.vision.one_blob = true;
   parameters.matching = settings.matching;
@@ -25,10 +27,36 @@ int rank_of(std::span<const Hypothesis> hypotheses, const Same& is_right) {
   return 0;
 }
 
+// Parallel rays do not tell the distance.
+std::optional<PoseError> pose_error_of(const EvaluatedObject& object,
+                                       const Eigen::Vector3d& direction,
+                                       std::span<const Hypothesis> hypotheses) {
+  if (hypotheses.empty() || hypotheses.front().pose == nullptr) return std::nullopt;
+  const Camera camera = camera_at(object.scene.studio, direction);
+  if (camera.intrinsics.projection != Projection::kPerspective) return std::nullopt;
+  return pose_error(object.index, camera.intrinsics, true_pose(camera),
+                    hypotheses.front().pose->refined.pose);
+}
+
 }  // namespace
 
-TestBench::TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings)
-    : recogniser_(indexes, parameters_for(indexes, settings)),
+std::optional<CalibratedCamera> common_lens(std::span<const EvaluatedObject> objects) {
+  const auto lens_of = [](const Studio& studio) -> std::optional<std::array<double, 5>> {
+    if (!studio.lens) return std::nullopt;
+    const Lens& lens = *studio.lens;
+    return {{lens.fx_px, lens.fy_px, lens.cx_px, lens.cy_px, static_cast<double>(studio.width_px)}};
+  };
+  const auto first = lens_of(objects.front().scene.studio);
+  for (const EvaluatedObject& object : objects)
+    if (lens_of(object.scene.studio) != first) return std::nullopt;
+  if (!first) return std::nullopt;
+  const auto& [fx, fy, cx, cy, width] = *first;
+  return CalibratedCamera{{fx, fy, cx, cy}, static_cast<int>(width)};
+}
+
+TestBench::TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings,
+                     const std::optional<CalibratedCamera>& camera)
+    : recogniser_(indexes, parameters_for(indexes, settings, camera)),
       sensor_(make_sensor(indexes.front().vision)) {}
 
 Recognition TestBench::recognise(const EvaluatedObject& object, const Eigen::Vector3d& direction) {
@@ -53,6 +81,13 @@ double error_deg(const EvaluatedObject& object, const Eigen::Vector3d& truth,
   return view_error_rad(object.rotations, truth, view) * 180 / std::numbers::pi;
 }
 
+JudgedView judged_view(const Recognition& recognition, std::size_t truth) {
+  if (recognition.objects.empty()) return {};
+  const SeenObject& seen = recognition.objects.front();
+  return {seen.judgement.verdict, static_cast<double>(seen.judgement.probability),
+          !seen.hypotheses.empty() && seen.hypotheses.front().index == truth};
+}
+
 ViewOutcome judge(const EvaluatedObject& object, const ClassSymmetry& symmetry,
                   const Eigen::Vector3d& direction, const Recognition& recognition) {
   ViewOutcome outcome;
@@ -66,6 +101,8 @@ ViewOutcome judge(const EvaluatedObject& object, const ClassSymmetry& symmetry,
       rank_of(hypotheses, [&](std::int32_t c) { return symmetry.same(right, c); });
   if (!hypotheses.empty())
     outcome.error_deg = error_deg(object, direction, hypotheses.front().view);
+  outcome.pose = pose_error_of(object, direction, hypotheses);
+  outcome.judged = judged_view(recognition, 0);
   return outcome;
 }
 

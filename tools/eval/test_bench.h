@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "compiler/render/sensor.h"
@@ -10,10 +11,14 @@
 
 namespace aspect {
 
+// The lens that all objects are seen with; nothing where it is not known, or they have several.
+std::optional<CalibratedCamera> common_lens(std::span<const EvaluatedObject> objects);
+
 // The object is alone in its views: one blob, as the compiler sees.
 class TestBench {
  public:
-  TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings);
+  TestBench(std::span<const ClassIndex> indexes, const EvaluationSettings& settings,
+            const std::optional<CalibratedCamera>& camera = {});
 
   // The result lives until the next call.
   Recognition recognise(const EvaluatedObject& object, const Eigen::Vector3d& direction);
@@ -34,6 +39,10 @@ std::span<const Hypothesis> hypotheses_of(const Recognition& recognition);
 // Modulo the object's rotations.
 double error_deg(const EvaluatedObject& object, const Eigen::Vector3d& truth, const Vector3& found);
 
+// `truth` is the place of the object's index.
+JudgedView judged_view(const Recognition& recognition, std::size_t truth);
+
+// With the object's own index.
 ViewOutcome judge(const EvaluatedObject& object, const ClassSymmetry& symmetry,
                   const Eigen::Vector3d& direction, const Recognition& recognition);
 

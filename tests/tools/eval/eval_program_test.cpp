@@ -25,6 +25,7 @@ class Evaluations {
                 .exit_code == 0);
   }
   void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
+  const std::filesystem::path& path() const { return folder_.path(); }
   Outcome compile(const std::string& arguments) const {
     return run("'" ASPECT_ASPECTC "' " + arguments);
   }
@@ -47,6 +48,8 @@ TEST_CASE("A table is printed, or one JSON object") {
   CHECK(parsed["seed"] == 5);
   CHECK(parsed["ranking"] == "classes");
   CHECK(parsed["objects"][0]["views"].size() == 10);
+  CHECK(parsed["objects"][0]["pose"].is_null());
+  CHECK(parsed["objects"][0]["reliability"]["not_judged"] == 10);
   CHECK_FALSE(parsed.contains("confusion"));
 }
 
@@ -72,6 +75,24 @@ TEST_CASE("A file of several indexes takes a scene or a project for each of its 
   CHECK(evaluations.eval("--index two.aspect" + cube).exit_code == 2);
 }
 
+TEST_CASE("A reliability plot is written whole, or the run ends before it begins") {
+  const Evaluations evaluations;
+  const Outcome outcome = evaluations.eval(kCube + "--views 5 --reliability plot.svg");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err == "");
+  CHECK_THAT(outcome.out, Contains("calibration error"));
+  const std::string svg = read_file(evaluations.path() / "plot.svg");
+  CHECK_THAT(svg, StartsWith("<svg ") && Catch::Matchers::EndsWith("</svg>\n"));
+  CHECK_THAT(svg, Contains("5 views judged"));
+
+  const Outcome nowhere = evaluations.eval(kCube + "--views 5 --reliability none/plot.svg");
+  CHECK(nowhere.exit_code == 1);
+  CHECK(nowhere.out == "");
+  CHECK_THAT(nowhere.err, StartsWith("aspect-eval: none/plot.svg: cannot be written ("));
+  for (const auto& entry : std::filesystem::directory_iterator(evaluations.path()))
+    CHECK(entry.path().extension() != ".part");
+}
+
 TEST_CASE("An index that does not belong to the scene gets a warning") {
   const Outcome outcome = Evaluations().eval(kMisfit + "--views 2");
   CHECK(outcome.exit_code == 0);
@@ -83,7 +104,7 @@ TEST_CASE("Wrong usage and bad files are told in one line") {
   for (const std::string& arguments :
        {std::string(), std::string("--index cube.aspect"), kCube + "--scene x.b",
         kCube + "--views 0", kCube + "--views x", kCube + "--seed -1", kCube + "--ranking best",
-        kCube + "--bogus", kCube + "more"}) {
+        kCube + "--reliability x.svg --ranking classes", kCube + "--bogus", kCube + "more"}) {
     const Outcome outcome = evaluations.eval(arguments);
     INFO(arguments);
     CHECK(outcome.exit_code == 2);

@@ -1,8 +1,11 @@
 #include "tools/eval/evaluation.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "compiler/compile.h"
 #include "compiler/scene/bob_reader.h"
@@ -39,6 +42,28 @@ TEST_CASE("Percentiles are interpolated") {
   CHECK(percentile({5, 1}, 1) == 5);
 }
 
+ViewOutcome with_pose(double rotation_deg, double translation_percent, double reprojection_px) {
+  ViewOutcome outcome;
+  outcome.pose = PoseError{rotation_deg, translation_percent, reprojection_px};
+  return outcome;
+}
+
+TEST_CASE("Errors of poses are of the views that have one, what is within 5 is of all") {
+  std::vector<ViewOutcome> outcomes = {with_pose(1, 10, 5), with_pose(3, 20, 5.1),
+                                       with_pose(11, 30, 5.2)};
+  outcomes.emplace_back();
+  const auto summary = summarise_poses(outcomes);
+  REQUIRE(summary);
+  CHECK(summary->found_share == Approx(0.75));
+  CHECK(summary->rotation_deg.median == Approx(3));
+  CHECK(summary->rotation_deg.p90 == Approx(3 + 0.8 * 8));
+  CHECK(summary->rotation_deg.within_5 == Approx(0.5));
+  CHECK(summary->translation_percent.median == Approx(20));
+  CHECK(summary->translation_percent.within_5 == 0);
+  CHECK(summary->reprojection_px.within_5 == Approx(0.25));
+  CHECK_FALSE(summarise_poses(std::vector<ViewOutcome>(2)));
+}
+
 TEST_CASE("The experiment tells of every view, and its sums are of these") {
   const TemporaryFolder folder;
   const EvaluatedObject object = compiled("blockcyl1", folder);
@@ -48,7 +73,7 @@ TEST_CASE("The experiment tells of every view, and its sums are of these") {
   CHECK(evaluation.object == "blockcyl1");
   CHECK(evaluation.rotations == 2);
   REQUIRE(evaluation.outcomes.size() == 60);
-  int first = 0, first_with_symmetry = 0, within_20 = 0;
+  int first = 0, first_with_symmetry = 0, within_20 = 0, turned_within_5 = 0;
   for (const ViewOutcome& outcome : evaluation.outcomes) {
     CHECK(outcome.right_class == object.views.right(outcome.direction));
     CHECK(outcome.rank >= 0);
@@ -59,6 +84,12 @@ TEST_CASE("The experiment tells of every view, and its sums are of these") {
       CHECK(outcome.rank_with_symmetry <= outcome.rank);
     }
     CHECK(outcome.elapsed_ms > 0);
+    REQUIRE(outcome.pose);
+    // The view is where the camera is: off by the turn and by how far to the side the object is.
+    const double aside_deg =
+        std::asin(std::min(1.0, outcome.pose->translation_percent / 100)) * 180 / std::numbers::pi;
+    CHECK(outcome.error_deg <= outcome.pose->rotation_deg + aside_deg + 0.001);
+    turned_within_5 += outcome.pose->rotation_deg <= 5 ? 1 : 0;
     first += outcome.rank == 1 ? 1 : 0;
     first_with_symmetry += outcome.rank_with_symmetry == 1 ? 1 : 0;
     within_20 += outcome.error_deg <= 20 ? 1 : 0;
@@ -72,6 +103,13 @@ TEST_CASE("The experiment tells of every view, and its sums are of these") {
   CHECK(evaluation.right_with_symmetry[0] > evaluation.right[0]);
   CHECK(evaluation.right_with_symmetry[4] > 0.9);
   CHECK(evaluation.error.median_deg < 10);
+  // Several times what refined poses of noiseless pictures are off, and far below a key view.
+  REQUIRE(evaluation.pose);
+  CHECK(evaluation.pose->rotation_deg.within_5 == Approx(turned_within_5 / 60.0));
+  CHECK(evaluation.pose->rotation_deg.median < 1);
+  CHECK(evaluation.pose->translation_percent.median < 1);
+  CHECK(evaluation.pose->reprojection_px.median < 2);
+  CHECK(evaluation.reliability.judged() == 60);
 }
 
 TEST_CASE("The same settings give the same ranks") {
@@ -85,6 +123,10 @@ TEST_CASE("The same settings give the same ranks") {
     CHECK(one.outcomes[k].rank == two.outcomes[k].rank);
     CHECK(one.outcomes[k].error_deg == two.outcomes[k].error_deg);
   }
+  // The thesis's ranking looks for no poses.
+  CHECK_FALSE(one.pose);
+  CHECK(one.reliability.not_judged == 20);
+  CHECK(one.reliability.judged() == 0);
 }
 
 TEST_CASE("With several objects each view is counted once in the confusion table") {
@@ -102,15 +144,38 @@ TEST_CASE("With several objects each view is counted once in the confusion table
     REQUIRE(counts.size() == 3);
     CHECK(counts[0] + counts[1] + counts[2] == 30);
     CHECK(counts[truth] >= 27);
+    const Reliability& reliability = evaluation.confusion->reliability[truth];
+    CHECK(reliability.judged() + reliability.not_judged == 30);
+    std::size_t right = 0;
+    for (const ReliabilityBin& bin : reliability.bins)
+      right +=
+          static_cast<std::size_t>(std::lround(bin.right_share * static_cast<double>(bin.count)));
+    CHECK(right == static_cast<std::size_t>(counts[truth]));
   }
+  const Reliability& total = overall_reliability(evaluation);
+  CHECK(total.judged() + total.not_judged == 60);
 
   const auto json = nlohmann::json::parse(evaluation_json(evaluation));
   CHECK(json["objects"][1]["object"] == "l_shape");
   CHECK(json["objects"][1]["views"].size() == 30);
   CHECK(json["objects"][0]["percent_right"]["10"] >= json["objects"][0]["percent_right"]["1"]);
   CHECK(json["confusion"][0]["found"]["cube"] == evaluation.confusion->counts[0][0]);
+  CHECK(json["objects"][0]["pose"]["rotation_deg"]["median"] ==
+        evaluation.objects[0].pose->rotation_deg.median);
+  CHECK(json["objects"][0]["pose"]["translation_percent"]["p90"] ==
+        evaluation.objects[0].pose->translation_percent.p90);
+  CHECK(json["objects"][0]["pose"]["reprojection_px"]["within_5"] ==
+        evaluation.objects[0].pose->reprojection_px.within_5);
+  CHECK(json["objects"][0]["views"][3]["pose_error"]["rotation_deg"] ==
+        evaluation.objects[0].outcomes[3].pose->rotation_deg);
+  CHECK(json["reliability"]["match"] == total.matches);
+  CHECK(json["reliability"]["expected_calibration_error"] == *total.expected_calibration_error());
+  CHECK(json["reliability"]["bins"].size() == 10);
+  CHECK(json["confusion"][1]["reliability"]["match"] ==
+        evaluation.confusion->reliability[1].matches);
   const std::string text = evaluation_text(evaluation);
-  for (const char* part : {"30 random views", "l_shape", "with symmetry", "All indexes at once"})
+  for (const char* part : {"30 random views", "l_shape", "with symmetry", "best hypothesis's pose",
+                           "matches right %", "All indexes at once", "(all)"})
     CHECK_THAT(text, Catch::Matchers::Contains(part));
 }
 
