@@ -109,20 +109,6 @@ void put_hypothesis(JsonText& json, const Hypothesis& hypothesis,
   json.end_object();
 }
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::match:
-      return "match";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unknown:
-      return "unknown";
-    case Verdict::none:
-      break;
-  }
-  return "";
-}
-
 void put_judgement(JsonText& json, const Judgement& judgement, std::size_t hypotheses) {
   if (judgement.verdict == Verdict::none) return;
   put(json, "verdict", name_of(judgement.verdict));

@@ -39,7 +39,8 @@ class FrameLoop {
       recogniser_.make_room(frame.width_px, frame.height_px);
       const Recognition recognition = recogniser_.recognise(frame.view());
       if (!write(frame, recognition)) return false;
-      if (auto error = pictures_.write(frame, recognition, recogniser_.regions(), indexes_))
+      if (auto error = pictures_.write(frame, recognition, recogniser_.regions(), indexes_,
+                                       recogniser_.cameras()))
         console_.fail(error->message);
     } catch (const std::bad_alloc&) {
       console_.fail(fmt::format("{}: {} x {} px need more memory than there is; scale it down",
