@@ -14,7 +14,7 @@
 #include "runtime/service/index_set.h"
 #include "runtime/service/recognition_json.h"
 #include "tools/replay/console.h"
-#include "tools/replay/explanation_json.h"
+#include "tools/replay/frame_explainer.h"
 #include "tools/replay/line_output.h"
 #include "tools/replay/pace.h"
 #include "tools/replay/stage_pictures.h"
@@ -26,58 +26,24 @@ namespace {
 // taken for what is used of it only.
 constexpr std::size_t kLineBytes = 8U << 20U;
 
-class FrameExplainer {
- public:
-  explicit FrameExplainer(std::span<const ClassIndex> indexes) : indexes_(indexes) {}
-
-  void expect(const RecogniserParameters& parameters, const ExpectedHypothesis& expected) {
-    rivals_.emplace(indexes_, parameters, expected);
-  }
-
-  // Of each object.
-  std::vector<std::string> explain(const CapturedFrame& frame, const Recognition& recognition,
-                                   const SizedRecogniser& recogniser) {
-    if (rivals_) {
-      rivals_->make_room(frame.width_px, frame.height_px);
-      rivals_->look(frame.view());
-    }
-    const SeenFrame seen = {recognition.graph, &recogniser.regions(), &recogniser.colours(),
-                            indexes_, recogniser.cameras()};
-    std::vector<std::string> explanations;
-    for (std::size_t k = 0; k < recognition.objects.size(); ++k) {
-      const auto list = recognition.objects[k].hypotheses;
-      SeenExplanation best;
-      if (!list.empty()) best = explain_seen(list.front(), list.front().pose, k, seen);
-      std::optional<RivalExplanation> rival;
-      if (rivals_) rival = rivals_->explain(k);
-      explanations.push_back(explanation_json(best, rival ? &*rival : nullptr, indexes_));
-    }
-    return explanations;
-  }
-
- private:
-  std::span<const ClassIndex> indexes_;
-  std::optional<RivalExplainer> rivals_;
-};
-
 // One frame after the other. False: the output has gone, there is no point in going on.
 class FrameLoop {
  public:
   FrameLoop(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
             const StagePictures& pictures, Console& console, FrameExplainer* explainer)
-      : explainer_(explainer),
-        indexes_(indexes),
+      : indexes_(indexes),
         recogniser_(indexes, parameters),
         pictures_(pictures),
         console_(console),
-        line_(std::make_unique_for_overwrite<char[]>(kLineBytes)) {}
+        line_(std::make_unique_for_overwrite<char[]>(kLineBytes)),
+        explainer_(explainer) {}
 
   bool process(const CapturedFrame& frame) {
     try {
       recogniser_.make_room(frame.width_px, frame.height_px);
       const Recognition recognition = recogniser_.recognise(frame.view());
       if (explainer_ != nullptr)
-        explanations_ = explainer_->explain(frame, recognition, recogniser_);
+        explanations_ = explainer_->explain(frame.view(), recognition, recogniser_);
       if (!write(frame, recognition)) return false;
       if (auto error = pictures_.write(frame, recognition, recogniser_.regions(), indexes_,
                                        recogniser_.cameras()))
@@ -90,8 +56,6 @@ class FrameLoop {
   }
 
  private:
-  FrameExplainer* explainer_;  // null: nobody asked
-  std::vector<std::string> explanations_;
   bool write(const CapturedFrame& frame, const Recognition& recognition) {
     const FrameLabel label = {frame.name, frame.sequence, frame.width_px, frame.height_px};
     const std::size_t length = write_recognition_json(label, recognition, indexes_,
@@ -107,6 +71,8 @@ class FrameLoop {
   const StagePictures& pictures_;
   Console& console_;
   std::unique_ptr<char[]> line_;
+  FrameExplainer* explainer_;  // null: nobody asked
+  std::vector<std::string> explanations_;
 };
 
 // False: the output has gone.

@@ -50,12 +50,16 @@ class Comparison {
         blob_(blob) {
     memory_.plan([&](Arena& arena) { drawing_.prepare(arena, index_.model.vertices.size()); });
     if (!drawing_.draw(index_.model, pose, camera_, frame.graph.blobs[blob].box)) return;
+    is_drawn_ = true;
     seen_.look(*frame.regions, *frame.colours, static_cast<int>(blob), index_.model,
                hypothesis.start.light);
     find_pieces();
     name_pieces(hypothesis.class_id, pose);
     compare();
   }
+
+  // False: a part of the object would be behind the camera.
+  bool is_drawn() const { return is_drawn_; }
 
   std::vector<MissingPart> missing(std::size_t class_id) const {
     std::vector<MissingPart> parts;
@@ -221,6 +225,7 @@ class Comparison {
   const ClassIndex& index_;
   const CameraModel& camera_;
   std::size_t blob_;
+  bool is_drawn_ = false;
   PlannedMemory memory_;
   ModelDrawing drawing_;
   SeenColours seen_;
@@ -271,12 +276,13 @@ SeenExplanation explain_seen(const Hypothesis& hypothesis, const VerifiedPose* p
     explanation.contours.push_back({match.contour, match.name,
                                     ClassIndex::part(index.surfaces, contours[match.name].surfaces),
                                     share_of(frame.graph.contours[match.contour].mean_rgb)});
-  if (pose == nullptr) {
-    compare_contours(hypothesis, blob, frame, explanation);
+  std::optional<Comparison> comparison;
+  if (pose != nullptr) comparison.emplace(hypothesis, pose->refined.pose, blob, frame);
+  if (comparison && comparison->is_drawn()) {
+    explanation.missing = comparison->missing(hypothesis.class_id);
+    explanation.contradicting = comparison->contradicting();
   } else {
-    const Comparison comparison(hypothesis, pose->refined.pose, blob, frame);
-    explanation.missing = comparison.missing(hypothesis.class_id);
-    explanation.contradicting = comparison.contradicting();
+    compare_contours(hypothesis, blob, frame, explanation);
   }
   std::stable_sort(
       explanation.contradicting.begin(), explanation.contradicting.end(),
