@@ -90,6 +90,9 @@ class Recogniser {
   Recognition recognise(const Frame& frame) noexcept;
 
   const RegionMap& regions() const { return vision_.regions(); }
+  // Of the last frame: its pixels, and the camera that each index's objects were looked for with.
+  const Planes& colours() const { return vision_.colours(); }
+  std::span<const CameraModel> cameras() const { return cameras_; }
 
  private:
   SeenObject recognise_blob(const ViewGraph& graph, std::size_t blob_place);

@@ -18,6 +18,8 @@ class SizedRecogniser {
   void make_room(int width_px, int height_px);
   Recognition recognise(const Frame& frame) noexcept { return recogniser_.recognise(frame); }
   const RegionMap& regions() const { return recogniser_.regions(); }
+  const Planes& colours() const { return recogniser_.colours(); }
+  std::span<const CameraModel> cameras() const { return recogniser_.cameras(); }
 
  private:
   std::span<const ClassIndex> indexes_;

@@ -18,6 +18,20 @@ double logistic(double x) {
 
 }  // namespace
 
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::match:
+      return "match";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unknown:
+      return "unknown";
+    case Verdict::none:
+      break;
+  }
+  return "";
+}
+
 Judgement judge(std::span<const Hypothesis> ranked, std::span<const ClassIndex> indexes,
                 double confidence_min) {
   Judgement judgement;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "runtime/recognition/hypothesis.h"
 
@@ -15,6 +16,8 @@ enum class Verdict : std::uint8_t {
   ambiguous,  // another object explains the picture as well
   unknown,    // no object that is known
 };
+
+std::string_view name_of(Verdict verdict);  // empty: none
 
 // At most so many rivals are named.
 inline constexpr std::size_t kMaxRivals = 3;

@@ -76,6 +76,15 @@ void JsonText::value(std::int64_t number) {
   put({digits.data(), static_cast<std::size_t>(end.ptr - digits.data())});
 }
 
+void JsonText::value(bool truth) {
+  json_value(truth ? "true" : "false");
+}
+
+void JsonText::json_value(std::string_view json) {
+  separate();
+  put(json);
+}
+
 void JsonText::value(float number) {
   put_real(number);
 }

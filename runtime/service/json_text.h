@@ -30,6 +30,10 @@ class JsonText {
   void value(float number);
   void value(double number);
 
+  void value(bool truth);
+  // Text that is one JSON value already.
+  void json_value(std::string_view json);
+
   bool fits() const { return fits_; }
   std::size_t size() const { return size_; }
 

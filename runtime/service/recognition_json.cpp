@@ -109,20 +109,6 @@ void put_hypothesis(JsonText& json, const Hypothesis& hypothesis,
   json.end_object();
 }
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::match:
-      return "match";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unknown:
-      return "unknown";
-    case Verdict::none:
-      break;
-  }
-  return "";
-}
-
 void put_judgement(JsonText& json, const Judgement& judgement, std::size_t hypotheses) {
   if (judgement.verdict == Verdict::none) return;
   put(json, "verdict", name_of(judgement.verdict));
@@ -136,7 +122,7 @@ void put_judgement(JsonText& json, const Judgement& judgement, std::size_t hypot
 }
 
 void put_object(JsonText& json, const SeenObject& object, std::size_t hypotheses,
-                std::span<const ClassIndex> indexes) {
+                std::span<const ClassIndex> indexes, const std::string* explanation) {
   json.begin_object();
   json.key("box");
   json.begin_array();
@@ -152,12 +138,17 @@ void put_object(JsonText& json, const SeenObject& object, std::size_t hypotheses
     put_hypothesis(json, hypothesis, indexes);
   }
   json.end_array();
+  if (explanation != nullptr) {
+    json.key("explanation");
+    json.json_value(*explanation);
+  }
   json.end_object();
 }
 
 // Length of the line, 0 where it does not fit.
 std::size_t write_cut(const FrameLabel& frame, const Recognition& recognition,
-                      std::span<const ClassIndex> indexes, Cut cut, std::span<char> out) {
+                      std::span<const ClassIndex> indexes,
+                      std::span<const std::string> explanations, Cut cut, std::span<char> out) {
   JsonText json(out);
   json.begin_object();
   put(json, "frame", frame.name);
@@ -175,7 +166,8 @@ std::size_t write_cut(const FrameLabel& frame, const Recognition& recognition,
     all += object.hypotheses.size();
     if (k >= cut.objects || !json.fits()) continue;
     const std::size_t hypotheses = std::min(object.hypotheses.size(), cut.hypotheses);
-    put_object(json, object, hypotheses, indexes);
+    put_object(json, object, hypotheses, indexes,
+               k < explanations.size() ? &explanations[k] : nullptr);
     written += hypotheses;
   }
   json.end_array();
@@ -190,11 +182,11 @@ std::size_t write_cut(const FrameLabel& frame, const Recognition& recognition,
 }  // namespace
 
 std::size_t write_recognition_json(const FrameLabel& frame, const Recognition& recognition,
-                                   std::span<const ClassIndex> indexes,
-                                   std::span<char> out) noexcept {
+                                   std::span<const ClassIndex> indexes, std::span<char> out,
+                                   std::span<const std::string> explanations) noexcept {
   const Cuts cuts(recognition.objects);
   const auto write = [&](std::size_t step) {
-    return write_cut(frame, recognition, indexes, cuts.at(step), out);
+    return write_cut(frame, recognition, indexes, explanations, cuts.at(step), out);
   };
   if (const std::size_t length = write(0)) return length;
   std::size_t too_long = 0, fitting = cuts.count();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "runtime/recognition/recogniser.h"
@@ -29,10 +30,11 @@ struct FrameLabel {
 // Writes the line, its end included, and returns its length. A line that is longer than `out` is
 // cut to the best hypotheses of every object, at last to the largest objects; the keys
 // "hypotheses_cut" and "objects_cut" then count what is missing. 0: not even a line without objects
-// fits. `indexes` are those of the recogniser. Allocates nothing; O(log(objects + top)) lines.
+// fits. `explanations`, JSON values, are the objects' in their order, where there are any.
+// `indexes` are those of the recogniser. Allocates nothing; O(log(objects + top)) lines.
 std::size_t write_recognition_json(const FrameLabel& frame, const Recognition& recognition,
-                                   std::span<const ClassIndex> indexes,
-                                   std::span<char> out) noexcept;
+                                   std::span<const ClassIndex> indexes, std::span<char> out,
+                                   std::span<const std::string> explanations = {}) noexcept;
 
 // A contour's name from its place in its class: A to Z, then AA, AB and so on. The text lives as
 // long as `buffer`.

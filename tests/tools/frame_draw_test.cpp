@@ -1,9 +1,11 @@
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <vector>
 
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/id_colour.h"
+#include "tools/draw/model_lines.h"
 #include "tools/draw/recognition_draw.h"
 #include "tools/draw/region_draw.h"
 
@@ -77,7 +79,7 @@ TEST_CASE("A recognition is drawn over its frame") {
   Recognition recognition;
   recognition.graph = seen.graph();
   recognition.objects = objects;
-  const cv::Mat overlay = draw_recognition(seen.frame(), recognition, seen.regions(), indexes);
+  const cv::Mat overlay = draw_recognition(seen.frame(), recognition, seen.regions(), indexes, {});
   REQUIRE(overlay.size() == cv::Size(640, 480));
   CHECK(overlay.at<cv::Vec3b>(200, 120) == cv::Vec3b(0, 0, 220));
   CHECK(overlay.at<cv::Vec3b>(5, 600) == cv::Vec3b(0, 0, 0));
@@ -85,6 +87,91 @@ TEST_CASE("A recognition is drawn over its frame") {
   CHECK(overlay.at<cv::Vec3b>(250, 250) == rounded(id_colour(2)));
   const cv::Mat caption = overlay(cv::Rect(100, 125, 300, 20));
   CHECK(cv::countNonZero(caption.clone().reshape(1)) > 300);
+}
+
+// A cube of side 2 about the origin, every face of its own colour.
+ObjectModel cube() {
+  PaintedModel cube;
+  for (int k = 0; k < 8; ++k)
+    cube.vertices.push_back(
+        {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, (k & 4) != 0 ? 1.0 : -1.0});
+  cube.paints = {{200, 20, 20},  {20, 200, 20},  {20, 20, 200},
+                 {200, 200, 20}, {20, 200, 200}, {200, 20, 200}};
+  const std::array<std::array<std::uint16_t, 4>, 6> faces{
+      {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c, d] = faces[f];
+    cube.triangles.push_back({{a, b, c}, static_cast<std::uint8_t>(f)});
+    cube.triangles.push_back({{a, c, d}, static_cast<std::uint8_t>(f)});
+  }
+  return prepared_model(cube, 3, 60);
+}
+
+// Six units before the camera, its face of 200 pixels' side towards it.
+const RigidPose kStraightAhead{{}, {0, 0, 6}};
+const CameraModel kCamera{500, 500, 319.5, 239.5};
+
+TEST_CASE("A match is drawn with the edges and the axes of its pose") {
+  const TwoRectangles seen;
+  std::vector<ClassIndex> indexes(1);
+  indexes[0].object = "cube";
+  indexes[0].model = cube();
+  const std::array cameras = {kCamera};
+  VerifiedPose pose;
+  pose.refined.pose = kStraightAhead;
+  Hypothesis best;
+  best.pose = &pose;
+  const std::array hypotheses = {best};
+  const auto drawn_as = [&](Verdict verdict) {
+    const std::array objects = {
+        SeenObject{{100, 150, 300, 200}, 2, {verdict, 0.75F, {}, 0}, hypotheses}};
+    Recognition recognition;
+    recognition.graph = seen.graph();
+    recognition.objects = objects;
+    return draw_recognition(seen.frame(), recognition, seen.regions(), indexes, cameras);
+  };
+  const cv::Vec3b green(0, 220, 0);
+  for (const Verdict verdict : {Verdict::match, Verdict::ambiguous}) {
+    const cv::Mat overlay = drawn_as(verdict);
+    // The edges of the face in front; the one behind it is 143 pixels wide.
+    CHECK(overlay.at<cv::Vec3b>(300, 420) == rounded(kModelEdgeColour));
+    CHECK(overlay.at<cv::Vec3b>(340, 330) == rounded(kModelEdgeColour));
+    CHECK(overlay.at<cv::Vec3b>(168, 330) == green);
+    CHECK(overlay.at<cv::Vec3b>(200, 391) == green);
+    CHECK(overlay.at<cv::Vec3b>(240, 380) == cv::Vec3b(0, 0, 255));
+    CHECK(overlay.at<cv::Vec3b>(300, 320) == cv::Vec3b(0, 255, 0));
+  }
+  for (const Verdict verdict : {Verdict::unknown, Verdict::none}) {
+    const cv::Mat overlay = drawn_as(verdict);
+    CHECK(overlay.at<cv::Vec3b>(300, 420) == cv::Vec3b(0, 0, 0));
+    CHECK(overlay.at<cv::Vec3b>(240, 380) == green);
+  }
+  const cv::Rect caption(100, 120, 300, 25);
+  const cv::Mat match = drawn_as(Verdict::match), ambiguous = drawn_as(Verdict::ambiguous);
+  CHECK(cv::norm(match(caption), ambiguous(caption), cv::NORM_L1) > 0);
+}
+
+TEST_CASE("Edges that are seen are where the lens shows them, and no others") {
+  CameraModel bent = kCamera;
+  bent.k1 = -0.3;
+  bent.p1 = 0.01;
+  const ObjectModel model = cube();
+  double length_px = 0;
+  for (const PictureLine& line : edges_seen(model, kStraightAhead, bent, 640, 480)) {
+    Point2d last{};
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const Point2d p = bent.straight(line[k]);
+      const double x = std::abs(p.x - 319.5), y = std::abs(p.y - 239.5);
+      CHECK(std::max(x, y) == Approx(100).margin(0.05));
+      if (k > 0) length_px += std::hypot(p.x - last.x, p.y - last.y);
+      last = p;
+    }
+  }
+  // Rims may show a pixel or two of the edges that lead away from them.
+  CHECK(length_px > 780);
+  CHECK(length_px < 820);
+  CHECK(edges_seen(model, {{}, {0, 0, -6}}, kCamera, 640, 480).empty());
+  CHECK(edges_seen(model, {{}, {50, 0, 6}}, kCamera, 640, 480).empty());
 }
 
 TEST_CASE("Small frames are blown up for drawing") {

@@ -119,7 +119,7 @@ TEST_CASE("Help and version are printed") {
   const Outcome help = replay.run("--help");
   CHECK(help.exit_code == 0);
   for (const char* option : {"--index", "--config", "--top", "--overlay", "--dump", "--pace",
-                             "--matching", "--ranking", "--self-test"})
+                             "--matching", "--ranking", "--self-test", "--explain"})
     CHECK_THAT(help.out, Contains(option));
   const Outcome version = replay.run("--version");
   CHECK(version.exit_code == 0);
@@ -192,6 +192,63 @@ TEST_CASE("Matching and ranking can be chosen") {
   CHECK(score("--ranking classes") > 1);
   CHECK(score("--ranking classes --matching simple") !=
         score("--ranking classes --matching weighted"));
+}
+
+TEST_CASE("What was chosen is explained, and why something else was not") {
+  const Replay replay;
+  cv::Mat bar(240, 320, CV_8UC3, cv::Scalar(0, 0, 0));
+  bar(cv::Rect(40, 100, 240, 20)).setTo(cv::Scalar(200, 30, 200));
+  write_tiny_index(replay.folder().path() / "bar.aspect", "bar", bar);
+  const std::string indexes = "--index flag.aspect --index mirror.aspect --index bar.aspect ";
+  const auto objects = [&](const std::string& arguments) {
+    const Outcome outcome = replay.run(indexes + arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return json_lines(outcome.out)[0]["objects"];
+  };
+  const json plain = objects("frames/0.png");
+  CHECK_FALSE(plain[0].contains("explanation"));
+  // A file is no name.
+  for (const char* arguments : {"--explain frames/0.png", "frames/0.png --explain",
+                                "--explain --top 10 frames/0.png", "--explain -- frames/0.png"}) {
+    INFO(arguments);
+    json explained = objects(arguments);
+    const json explanation = explained[0]["explanation"];
+    REQUIRE(explanation["contours"].size() == 4);
+    CHECK(explanation["contours"][0]["name"] == "A");
+    CHECK(explanation["missing"].empty());
+    CHECK(explanation["contradicts"].empty());
+    CHECK_FALSE(explanation.contains("expected"));
+    explained[0].erase("explanation");
+    CHECK(explained == plain);
+  }
+
+  const auto expected = [&](const std::string& arguments) {
+    return objects(arguments)[0]["explanation"]["expected"];
+  };
+  CHECK(expected("--explain flag frames/0.png")["chosen"] == true);
+  for (const char* name : {"--explain mirror", "--explain=mirror:0"}) {
+    const json mirror = expected(std::string(name) + " frames/0.png --top 1");
+    CHECK(mirror["chosen"] == false);
+    CHECK(mirror["on_shortlist"] == true);
+    CHECK(mirror["object"] == "mirror");
+    CHECK(mirror["rank"] == 2);
+    CHECK(mirror["score"] < plain[0]["hypotheses"][0]["score"]);
+  }
+  CHECK(expected("--explain 0 frames/0.png")["object"] == "flag");
+  const json other = expected("frames/0.png --explain bar");
+  CHECK(other["on_shortlist"] == false);
+  CHECK(other["matched"] == 1);
+  CHECK(other["needed"] == 3);
+  CHECK_FALSE(other.contains("rank"));
+
+  for (const char* name : {"flags", "flag:1", "flag:x", "70000", "7"}) {
+    const Outcome outcome = replay.run(indexes + "frames/0.png --explain " + name);
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.out == "");
+    CHECK_THAT(outcome.err, StartsWith("aspect-replay: --explain " + std::string(name) + ": "));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
 }
 
 TEST_CASE("Pictures of the stages and overlays are written") {

@@ -9,9 +9,14 @@
 namespace aspect {
 
 // Outlines of the regions in the colours of draw_regions, the contours' numbers with their names in
-// the best hypothesis, the objects' boxes, and one line an object: name, class, score, view.
-// Small frames are blown up. `indexes` and `map` are those of the recogniser.
+// the best hypothesis, the objects' boxes, and one line an object: name, verdict, probability,
+// class, score, view. A match, or one of several, is drawn as its pose has it: the edges seen, and
+// the object's axes from its centre, x red, y green, z blue, half its radius long. Small frames are
+// blown up. `indexes`, `map` and `cameras` are those of the recogniser.
 cv::Mat draw_recognition(const Frame& frame, const Recognition& recognition, const RegionMap& map,
-                         std::span<const ClassIndex> indexes);
+                         std::span<const ClassIndex> indexes, std::span<const CameraModel> cameras);
+
+// Of a model's edges in OpenCV's order: on a dark rim, so that they show on any surface.
+inline const cv::Scalar kModelEdgeColour{255, 255, 255};
 
 }  // namespace aspect

@@ -13,7 +13,8 @@ Result<StagePictures> StagePictures::create(
 }
 
 std::optional<Error> StagePictures::write(const CapturedFrame&, const Recognition&,
-                                          const RegionMap&, std::span<const ClassIndex>) const {
+                                          const RegionMap&, std::span<const ClassIndex>,
+                                          std::span<const CameraModel>) const {
   return std::nullopt;
 }
 

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
+#include <vector>
 
 #include "runtime/capture/recorded_frames.h"
 #include "runtime/recognition/self_test.h"
@@ -12,6 +14,7 @@
 #include "runtime/service/index_set.h"
 #include "runtime/service/recognition_json.h"
 #include "tools/replay/console.h"
+#include "tools/replay/frame_explainer.h"
 #include "tools/replay/line_output.h"
 #include "tools/replay/pace.h"
 #include "tools/replay/stage_pictures.h"
@@ -27,19 +30,23 @@ constexpr std::size_t kLineBytes = 8U << 20U;
 class FrameLoop {
  public:
   FrameLoop(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
-            const StagePictures& pictures, Console& console)
+            const StagePictures& pictures, Console& console, FrameExplainer* explainer)
       : indexes_(indexes),
         recogniser_(indexes, parameters),
         pictures_(pictures),
         console_(console),
-        line_(std::make_unique_for_overwrite<char[]>(kLineBytes)) {}
+        line_(std::make_unique_for_overwrite<char[]>(kLineBytes)),
+        explainer_(explainer) {}
 
   bool process(const CapturedFrame& frame) {
     try {
       recogniser_.make_room(frame.width_px, frame.height_px);
       const Recognition recognition = recogniser_.recognise(frame.view());
+      if (explainer_ != nullptr)
+        explanations_ = explainer_->explain(frame.view(), recognition, recogniser_);
       if (!write(frame, recognition)) return false;
-      if (auto error = pictures_.write(frame, recognition, recogniser_.regions(), indexes_))
+      if (auto error = pictures_.write(frame, recognition, recogniser_.regions(), indexes_,
+                                       recogniser_.cameras()))
         console_.fail(error->message);
     } catch (const std::bad_alloc&) {
       console_.fail(fmt::format("{}: {} x {} px need more memory than there is; scale it down",
@@ -51,8 +58,8 @@ class FrameLoop {
  private:
   bool write(const CapturedFrame& frame, const Recognition& recognition) {
     const FrameLabel label = {frame.name, frame.sequence, frame.width_px, frame.height_px};
-    const std::size_t length =
-        write_recognition_json(label, recognition, indexes_, {line_.get(), kLineBytes});
+    const std::size_t length = write_recognition_json(label, recognition, indexes_,
+                                                      {line_.get(), kLineBytes}, explanations_);
     const OutputStatus status = write_line({line_.get(), length});
     if (status == OutputStatus::failed)
       console_.fail(fmt::format("standard output: {}; stopped", std::strerror(errno)));
@@ -64,6 +71,8 @@ class FrameLoop {
   const StagePictures& pictures_;
   Console& console_;
   std::unique_ptr<char[]> line_;
+  FrameExplainer* explainer_;  // null: nobody asked
+  std::vector<std::string> explanations_;
 };
 
 // False: the output has gone.
@@ -124,8 +133,16 @@ int replay(const ReplayOptions& options) {
   configuration.apply(parameters);
   options.recognition.apply(parameters);
 
+  std::optional<FrameExplainer> explainer;
+  if (options.explain) explainer.emplace(indexes);
+  if (options.explain && !options.explain->empty()) {
+    const Result<ExpectedHypothesis> expected = find_expected(*options.explain, indexes);
+    if (!expected) return console.fail(expected.error()), kFailed;
+    explainer->expect(parameters, expected.value());
+  }
+
   RecordedFrames frames(options.frames, parameters.vision.sensor);
-  FrameLoop loop(indexes, parameters, pictures.value(), console);
+  FrameLoop loop(indexes, parameters, pictures.value(), console, explainer ? &*explainer : nullptr);
   Pace pace(options.pace_fps);
   const bool finished = process_all(frames, pace, loop, console);
   if (const std::string report = pace.report(); finished && !report.empty()) console.tell(report);

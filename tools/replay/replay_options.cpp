@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdio>
 #include <map>
+#include <string>
+#include <system_error>
 
 #include "tools/command_line/command_line.h"
 
@@ -27,6 +29,18 @@ it as well, hypotheses, the best first: [{object, class, score, matched, unmatch
 from the object's centre to the camera, pose: {quaternion: [w, x, y, z], translation,
 reprojection_px, covariance}, contours: [[number in the frame, name in the class], ...]}]}].
 
+--explain adds explanation to each object, of its best hypothesis: {contours: [{contour: number in
+the frame, name: in the class, surfaces: primitives of the scene from 1, colour: shares of red,
+green and blue}], missing: what the model shows in that pose and the picture does not [{name,
+surfaces, colour, area_px, covered: share of it that has its colour}], contradicts: what shows
+another colour than the model [{contour, colour, drawn, left out where the model shows nothing,
+area_px}]}. Without a pose missing and contradicts are contours without a match. With NAME there is
+also expected, why that one was not chosen: {reason, chosen, on_shortlist, matched: contours at
+most, needed: for the shortlist; and where it is on it, of its best hypothesis, object, class, rank
+from 1, score, agreement: share of the picture explained where it was tried or is now, contours,
+missing, contradicts}. Frames are looked at twice then. A word after --explain that is a file or
+folder is a frame; --explain=NAME is always a name.
+
 Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
 failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
 
@@ -34,8 +48,34 @@ Examples:
   aspect-replay --index cube.aspect frame.png
   aspect-replay --index cube.aspect --index truck.aspect --config camera.toml frames/ > seen.jsonl
   aspect-replay --index cube.aspect --self-test
+  aspect-replay --index cube.aspect --index truck.aspect --explain truck frame.png
   aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
 )";
+
+// --explain without a name, for CLI11: see with_names_attached.
+constexpr const char* kExplainChosen = "--explain-chosen";
+
+// CLI11 would take the first frame for the name that --explain may do without.
+std::vector<std::string> with_names_attached(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  std::vector<std::string> attached;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] == "--") {
+      attached.insert(attached.end(), words.begin() + static_cast<std::ptrdiff_t>(k), words.end());
+      break;
+    }
+    if (words[k] != "--explain") {
+      attached.push_back(words[k]);
+      continue;
+    }
+    std::error_code ignored;
+    const bool has_name = k + 1 < words.size() && !words[k + 1].empty() &&
+                          words[k + 1].front() != '-' &&
+                          !std::filesystem::exists(words[k + 1], ignored);
+    attached.push_back(has_name ? "--explain=" + words[++k] : kExplainChosen);
+  }
+  return attached;
+}
 
 // What CLI11 makes of the command line; an absent option is an empty or zero value here.
 struct RawOptions {
@@ -108,6 +148,15 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
   app.add_option("--dump", raw.dump,
                  "write a picture a stage: NNNNNN_1_input.png, _2_regions, _3_overlay")
       ->type_name("FOLDER");
+  app.add_option_function<std::string>(
+         "--explain", [&raw](const std::string& name) { raw.options.explain = name; },
+         "tell why each object is taken for what it is, and why not for NAME: an object, a class's "
+         "number, or OBJECT:CLASS")
+      ->type_name("[NAME]");
+  app.add_flag_function(
+         kExplainChosen,
+         [&raw](std::int64_t) { raw.options.explain = raw.options.explain.value_or(""); }, "")
+      ->group("");
   // CLI11's own range check lets "nan" through.
   const auto fault_of = [=](const std::string& text) {
     double fps = 0;
@@ -144,7 +193,12 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_inputs(app, raw);
   add_recognition(app, raw);
   add_outputs(app, raw);
-  if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
+  const std::vector<std::string> words = with_names_attached(argc, argv);
+  std::vector<const char*> word_starts;
+  for (const std::string& word : words) word_starts.push_back(word.c_str());
+  if (const auto exit_code =
+          parse_command_line(app, static_cast<int>(word_starts.size()), word_starts.data()))
+    return *exit_code;
   return finished(std::move(raw));
 }
 

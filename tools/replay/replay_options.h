@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct ReplayOptions {
   std::optional<std::filesystem::path> configuration;
   std::optional<std::filesystem::path> overlay_folder, dump_folder;
   std::optional<double> pace_fps;
-  bool self_test = false;  // instead of frames
+  std::optional<std::string> explain;  // empty: only what was chosen
+  bool self_test = false;              // instead of frames
   RecognitionOverrides recognition;
 };
 

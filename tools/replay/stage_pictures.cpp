@@ -50,10 +50,11 @@ Result<StagePictures> StagePictures::create(const std::optional<fs::path>& overl
 
 std::optional<Error> StagePictures::write(const CapturedFrame& frame,
                                           const Recognition& recognition, const RegionMap& regions,
-                                          std::span<const ClassIndex> indexes) const {
+                                          std::span<const ClassIndex> indexes,
+                                          std::span<const CameraModel> cameras) const {
   if (!overlay_folder_ && !dump_folder_) return std::nullopt;
   const Frame view = frame.view();
-  const cv::Mat overlay = draw_recognition(view, recognition, regions, indexes);
+  const cv::Mat overlay = draw_recognition(view, recognition, regions, indexes, cameras);
   if (overlay_folder_)
     if (auto error = write_picture(*overlay_folder_ / (overlay_name(frame) + ".png"), overlay))
       return error;

@@ -21,7 +21,8 @@ class StagePictures {
   // Draws and writes what was asked for. The first error names the file.
   [[nodiscard]] std::optional<Error> write(const CapturedFrame& frame,
                                            const Recognition& recognition, const RegionMap& regions,
-                                           std::span<const ClassIndex> indexes) const;
+                                           std::span<const ClassIndex> indexes,
+                                           std::span<const CameraModel> cameras) const;
 
  private:
   StagePictures() = default;

@@ -28,6 +28,17 @@ std::string read_back(std::string_view text) {
   return nlohmann::json::parse(text_of(text)).get<std::string>();
 }
 
+TEST_CASE("Truths and values made before stand between others") {
+  std::array<char, 64> buffer;
+  JsonText json(buffer);
+  json.begin_array();
+  json.value(true);
+  json.json_value("{\"a\":[]}");
+  json.value(false);
+  json.end_array();
+  CHECK(std::string(buffer.data(), json.size()) == "[true,{\"a\":[]},false]");
+}
+
 TEST_CASE("Every float reads back as the same float") {
   std::mt19937 random(7);
   for (int k = 0; k < rounds(20000); ++k) {

@@ -150,6 +150,20 @@ TEST_CASE("A verdict has its probability and its rivals, and is absent where the
   CHECK_FALSE(unjudged.contains("rivals"));
 }
 
+TEST_CASE("Explanations stand with their objects") {
+  const MadeUp made_up(3, 2, 4);
+  std::vector<char> buffer(1 << 16);
+  const std::vector<std::string> explanations = {"{\"of\":0}", "{\"of\":1}", "{\"of\":2}"};
+  const std::size_t length = write_recognition_json({"f", 0, 1, 1}, made_up.recognition(),
+                                                    made_up.indexes(), buffer, explanations);
+  const json objects = json::parse(std::string(buffer.data(), length))["objects"];
+  REQUIRE(objects.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(objects[k]["explanation"]["of"] == k);
+    CHECK(objects[k]["hypotheses"].size() == 2);
+  }
+}
+
 TEST_CASE("A frame in which nothing was seen has an empty list of objects") {
   const json parsed = json::parse(MadeUp(0, 0, 1).line(1 << 16));
   CHECK(parsed["objects"] == json::array());

@@ -1,0 +1,71 @@
+// Why an object or class that somebody expected was not chosen.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "runtime/base/planned_memory.h"
+#include "runtime/base/result.h"
+#include "runtime/recognition/sized_recogniser.h"
+#include "tools/replay/seen_explanation.h"
+
+namespace aspect {
+
+// Nothing: any.
+struct ExpectedHypothesis {
+  std::optional<std::uint16_t> index, class_id;
+
+  bool is(const Hypothesis& hypothesis) const {
+    return (!index || *index == hypothesis.index) &&
+           (!class_id || *class_id == hypothesis.class_id);
+  }
+};
+
+// OBJECT, OBJECT:CLASS or CLASS, a number. An object's own name goes before the other readings.
+Result<ExpectedHypothesis> find_expected(std::string_view name,
+                                         std::span<const ClassIndex> indexes);
+
+struct RivalExplanation {
+  bool chosen = false, on_shortlist = false;
+  std::string reason;  // for a person
+  // What the frame's contours allow: of the expected, at most, and of those on the shortlist, at
+  // least.
+  int matched = 0, needed = 0;
+  // These on the shortlist only, of the best one that was expected.
+  std::optional<Hypothesis> hypothesis;
+  int rank = 0;  // in the list of all hypotheses, from 1
+  std::optional<float> agreement;
+  SeenExplanation seen;
+};
+
+// Looks at frames once more, with every hypothesis kept.
+class RivalExplainer {
+ public:
+  // `indexes` must outlive it.
+  RivalExplainer(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
+                 const ExpectedHypothesis& expected);
+
+  // After make_room, and once for a frame; then explain() for each of its objects.
+  void make_room(int width_px, int height_px) { recogniser_.make_room(width_px, height_px); }
+  void look(const Frame& frame) { recognition_ = recogniser_.recognise(frame); }
+  RivalExplanation explain(std::size_t object);
+
+ private:
+  void count_matches(std::size_t object, RivalExplanation& explanation);
+  const VerifiedPose* pose_of(const Hypothesis& hypothesis, std::size_t object);
+
+  std::span<const ClassIndex> indexes_;
+  RecogniserParameters parameters_;
+  ExpectedHypothesis expected_;
+  SizedRecogniser recogniser_;
+  Recognition recognition_;
+  PlannedMemory memory_;
+  ClassMatcher matcher_;
+  PoseFinder finder_;
+  VerifiedPose found_;
+};
+
+}  // namespace aspect
