@@ -187,7 +187,7 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
     return inside ? drawing.cell(column, row).colour : kBackgroundClass;
   };
   // Cells that blur may reach over.
-  const int rim = drawing.cell_px() < 1.5F ? 2 : 1;
+  const int rim = drawing.cell_px() < 1.25F ? 3 : drawing.cell_px() < 2.5F ? 2 : 1;
   int either = 0, same = 0, near = 0;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
@@ -213,9 +213,11 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
         const ColourClass beside = drawn_at(column + right, row + down);
         return beside != drawn && (beside == of_region || beside == of_pixel);
       };
-      if (shows_beside(-rim, 0) || shows_beside(rim, 0) || shows_beside(0, -rim) ||
-          shows_beside(0, rim))
-        ++near;
+      bool is_near = false;
+      for (int d = 1; d <= rim && !is_near; ++d)
+        is_near =
+            shows_beside(-d, 0) || shows_beside(d, 0) || shows_beside(0, -d) || shows_beside(0, d);
+      near += is_near ? 1 : 0;
     }
   if (either == 0) return {};
   const auto share = [&](int count) {
