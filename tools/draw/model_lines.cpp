@@ -93,16 +93,20 @@ class Surfaces {
   void fill(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (std::abs(area) < 1e-9) return;
-    const auto first = [](double least) { return std::max(0.0, std::ceil(least)); };
-    const double last_x = std::min(width_ - 1.0, std::max({a.x, b.x, c.x}) - left_);
-    const double last_y = std::min(height_ - 1.0, std::max({a.y, b.y, c.y}) - top_);
-    for (double y = first(std::min({a.y, b.y, c.y}) - top_); y <= last_y; ++y)
-      for (double x = first(std::min({a.x, b.x, c.x}) - left_); x <= last_x; ++x) {
+    const auto within = [](double pixel, int count) {
+      return static_cast<int>(std::clamp(pixel, -1.0, static_cast<double>(count)));
+    };
+    const int first_x = within(std::ceil(std::min({a.x, b.x, c.x}) - left_), width_),
+              last_x = within(std::floor(std::max({a.x, b.x, c.x}) - left_), width_),
+              first_y = within(std::ceil(std::min({a.y, b.y, c.y}) - top_), height_),
+              last_y = within(std::floor(std::max({a.y, b.y, c.y}) - top_), height_);
+    for (int y = std::max(0, first_y); y <= std::min(last_y, height_ - 1); ++y)
+      for (int x = std::max(0, first_x); x <= std::min(last_x, width_ - 1); ++x) {
         const double dx = x + left_ - a.x, dy = y + top_ - a.y;
         const double u = (dx * (c.y - a.y) - dy * (c.x - a.x)) / area;
         const double v = (dy * (b.x - a.x) - dx * (b.y - a.y)) / area;
         if (u < 0 || v < 0 || u + v > 1) continue;
-        double& nearest = nearness_[place(static_cast<int>(x), static_cast<int>(y))];
+        double& nearest = nearness_[place(x, y)];
         nearest = std::max(
             nearest, a.nearness + u * (b.nearness - a.nearness) + v * (c.nearness - a.nearness));
       }

@@ -195,6 +195,7 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_outputs(app, raw);
   const std::vector<std::string> words = with_names_attached(argc, argv);
   std::vector<const char*> word_starts;
+  word_starts.reserve(words.size());
   for (const std::string& word : words) word_starts.push_back(word.c_str());
   if (const auto exit_code =
           parse_command_line(app, static_cast<int>(word_starts.size()), word_starts.data()))

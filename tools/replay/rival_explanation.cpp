@@ -41,7 +41,7 @@ std::string reason_for(const RivalExplanation& rival, const Hypothesis& best,
   const std::string chosen = fmt::format("{} class {}", indexes[best.index].object, best.class_id);
   const Hypothesis& own = *rival.hypothesis;
   if (best.pose == nullptr)
-    return fmt::format("it scores {:.4g}, {} {:.4g}", own.score, chosen, best.score);
+    return fmt::format("it scores {:.9g}, {} {:.9g}", own.score, chosen, best.score);
   const std::string explained = fmt::format("{} explains {:.1f} %", chosen, 100 * best.score);
   if (own.pose != nullptr)
     return fmt::format("drawn as found it explains {:.1f} % of the picture, {}", 100 * own.score,

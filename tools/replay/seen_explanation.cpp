@@ -116,17 +116,22 @@ class Comparison {
     return inside ? drawing_.cell(column, row).colour : kBackgroundClass;
   }
 
+  int& piece_at(int column, int row) {
+    return piece_of_[static_cast<std::size_t>(row) * static_cast<std::size_t>(drawing_.width()) +
+                     static_cast<std::size_t>(column)];
+  }
+
   void find_pieces() {
     const int width = drawing_.width(), height = drawing_.height();
-    piece_of_.assign(static_cast<std::size_t>(width * height), -1);
+    piece_of_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
     for (int first = 0; first < width * height; ++first) {
       const ColourClass colour = drawn_at(first % width, first / width);
-      if (colour == kBackgroundClass || piece_of_[static_cast<std::size_t>(first)] >= 0) continue;
+      if (colour == kBackgroundClass || piece_at(first % width, first / width) >= 0) continue;
       DrawnPiece piece;
       piece.colour = colour;
       const auto take = [&](int column, int row) {
         if (drawn_at(column, row) != colour) return;
-        int& owner = piece_of_[static_cast<std::size_t>(row * width + column)];
+        int& owner = piece_at(column, row);
         if (owner >= 0) return;
         owner = static_cast<int>(pieces_.size());
         piece.cells.push_back(row * width + column);
@@ -159,8 +164,7 @@ class Comparison {
                 row = cell(camera_.cy_px + camera_.fy_px * p[1] / p[2], drawing_.y_px(0));
       const ColourClass colour = drawn_at(column, row);
       if (colour == kBackgroundClass || colour != nearest_colour(contour.share)) continue;
-      DrawnPiece& piece = pieces_[static_cast<std::size_t>(
-          piece_of_[static_cast<std::size_t>(row * drawing_.width() + column)])];
+      DrawnPiece& piece = pieces_[static_cast<std::size_t>(piece_at(column, row))];
       if (piece.contour == nullptr) piece.contour = &contour;
     }
   }
@@ -187,7 +191,9 @@ class Comparison {
               y = static_cast<int>(std::floor(y_px + 0.5F));
     const Box& box = regions.active;
     if (x < box.x || y < box.y || x >= box.x + box.width || y >= box.y + box.height) return 0;
-    return regions.labels[static_cast<std::size_t>(y * regions.stride_px + x)];
+    return regions
+        .labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(regions.stride_px) +
+                static_cast<std::size_t>(x)];
   }
 
   // The rules are those of agreement(), so that what is told here is what the score lacks.
@@ -202,8 +208,7 @@ class Comparison {
                           pixel = seen_.at_pixel(x, y);
         DrawnPiece* piece = nullptr;
         if (drawn != kBackgroundClass)
-          piece = &pieces_[static_cast<std::size_t>(
-              piece_of_[static_cast<std::size_t>(row * drawing_.width() + column)])];
+          piece = &pieces_[static_cast<std::size_t>(piece_at(column, row))];
         if (region == drawn || (pixel == drawn && piece != nullptr)) {
           if (piece != nullptr) ++piece->same;
           continue;
@@ -252,7 +257,7 @@ void compare_contours(const Hypothesis& hypothesis, std::size_t blob, const Seen
   }
   const Blob& seen = frame.graph.blobs[blob];
   for (int k = 0; k < seen.contour_count; ++k) {
-    const auto place = static_cast<std::size_t>(seen.first_contour + k);
+    const auto place = static_cast<std::size_t>(seen.first_contour) + static_cast<std::size_t>(k);
     const Contour& contour = frame.graph.contours[place];
     if (!contour.external ||
         is_matched([](const ContourMatch& match) { return match.contour; }, place))
