@@ -202,7 +202,12 @@ std::array<std::optional<CalibrationSample>, 2> samples_of(const Workshop& works
   };
   std::array<std::optional<CalibrationSample>, 2> samples;
   samples[0] = {agreement_in(object, 1), true};
-  if (is_other) samples[1] = {agreement_in(other, stretch), false};
+  // One face in other proportions is the object's own, seen at a slant: no picture tells them
+  // apart.
+  constexpr float kSamePicture = 0.985F;
+  if (!is_other) return samples;
+  const float agreement = agreement_in(other, stretch);
+  if (agreement < kSamePicture) samples[1] = {agreement, false};
   return samples;
 }
 
