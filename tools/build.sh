@@ -6,9 +6,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 [ $# -gt 0 ] || set -- programs
-# Programs are built without the packages that tests need.
-case "$*" in programs|demo_programs) tests=OFF ;; *) tests=ON ;; esac
-[ -e build/release/CMakeCache.txt ] && join=() || join=(-DASPECT_JOIN=ON)
-cmake --preset release -DBUILD_TESTING=$tests "${join[@]}" >build_configure.log 2>&1 || { cat build_configure.log >&2; exit 1; }
+# Programs alone are built without the packages that tests need; a build that has tests keeps them.
+settings=()
+[ -e build/release/CMakeCache.txt ] || settings=(-DASPECT_JOIN=ON -DBUILD_TESTING=OFF)
+case "$*" in programs|demo_programs) ;; *) settings+=(-DBUILD_TESTING=ON) ;; esac
+cmake --preset release "${settings[@]}" >build_configure.log 2>&1 || { cat build_configure.log >&2; exit 1; }
 rm -f build_configure.log
 cmake --build --preset release --target "$@"
