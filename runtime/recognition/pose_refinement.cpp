@@ -140,7 +140,6 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
     const int cells = round == rounds ? ModelDrawing::kMostCells : kRoundCells;
     if (!scratch.drawing.draw(model, refined.pose, camera, box, cells)) return refined;
     const std::size_t count = find_border_points(model, scratch.drawing, scratch.points);
-    refined.border_points = static_cast<int>(count);
     refined.borders_found = 0;
     const float reach = std::max(kLeastReach_px, reach_px);
     const bool near = round >= rounds - kNearRounds;

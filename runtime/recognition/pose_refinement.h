@@ -14,8 +14,7 @@ namespace aspect {
 
 struct RefinedPose {
   RigidPose pose;
-  int border_points = 0;      // of the drawn model
-  int borders_found = 0;      // of those, with a border of the right colours near by
+  int borders_found = 0;      // of the drawn model, with one of the right colours near by
   float reprojection_px = 0;  // root mean square of their distances
   // Of three turns about the camera's axes through the object's centre, in radians, and of its
   // place, in scene units; row by row.
