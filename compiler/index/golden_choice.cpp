@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "compiler/aspects/observer.h"
@@ -16,6 +17,10 @@ namespace {
 // Eight views are rendered and seen in 1 % of the shortest compilations; the first ones nearly
 // always do.
 constexpr std::size_t kMostCandidates = 8;
+
+// A board tests itself with every index before its first frame, and what a picture costs there goes
+// with its pixels: a small one is tried beside the full one.
+constexpr std::array<int, 2> kGoldenSides_px{200, kMaxGoldenSide_px};
 
 // Of the table, its fields, its two vectors' lengths and what aligns them.
 constexpr std::size_t kTableBytes = 96;
@@ -58,7 +63,7 @@ std::vector<GoldenFrame> golden_candidates(const Workshop& workshop, const Subdi
   if (!has_golden_frames(sensor)) return {};
   const std::size_t count = std::min(kMostCandidates, clusters.size());
   const std::size_t most_bytes = std::min(kMostGoldenBytes, workshop.options.max_index_bytes / 8);
-  std::vector<std::optional<GoldenFrame>> encoded(count);
+  std::vector<std::array<std::optional<GoldenFrame>, kGoldenSides_px.size()>> encoded(count);
   tbb::enumerable_thread_specific<Observer> observers([&workshop] {
     return Observer(workshop.renderer, workshop.studio, workshop.options.vision);
   });
@@ -67,12 +72,16 @@ std::vector<GoldenFrame> golden_candidates(const Workshop& workshop, const Subdi
     observer.observe(subdivision.direction(clusters[c].views[classes[c].typical_view].vertex));
     const auto picture = palette_picture(observer.frame(), observer.regions(), sensor);
     if (!picture) return;
-    encoded[c] = encode_golden_frame(*picture);
-    if (encoded[c]) encoded[c]->class_id = static_cast<std::uint16_t>(c);
+    for (std::size_t k = 0; k < kGoldenSides_px.size(); ++k) {
+      std::optional<GoldenFrame>& golden = encoded[c][k];
+      golden = encode_golden_frame(thinned_out(*picture, kGoldenSides_px[k]));
+      if (golden) golden->class_id = static_cast<std::uint16_t>(c);
+    }
   });
   std::vector<GoldenFrame> candidates;
-  for (std::optional<GoldenFrame>& golden : encoded)
-    if (golden && golden_bytes(*golden) <= most_bytes) candidates.push_back(std::move(*golden));
+  for (auto& sizes : encoded)
+    for (std::optional<GoldenFrame>& golden : sizes)
+      if (golden && golden_bytes(*golden) <= most_bytes) candidates.push_back(std::move(*golden));
   return candidates;
 }
 

@@ -17,9 +17,10 @@ inline constexpr std::size_t kMostGoldenBytes = 3 * 1024;
 // Bytes that it adds to an index, at most.
 std::size_t golden_bytes(const GoldenFrame& golden);
 
-// The typical views of the largest classes, the widest of them first, as pictures that take no more
-// bytes than they may; class_id is the view's, the rest of the answer is missing. Rendered again:
-// eight views, on all threads. Same result for any number of them.
+// The typical views of the largest classes, the widest of them first, each as a small picture and
+// as a full one, that take no more bytes than they may; class_id is the view's, the rest of the
+// answer is missing. Rendered again: eight views, on all threads. Same result for any number of
+// them.
 std::vector<GoldenFrame> golden_candidates(const Workshop& workshop, const Subdivision& subdivision,
                                            std::span<const Cluster> clusters,
                                            std::span<const ClassDescription> classes);

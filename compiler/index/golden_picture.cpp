@@ -165,6 +165,20 @@ std::optional<PalettePicture> palette_picture(const Frame& frame, const RegionMa
   return picture;
 }
 
+PalettePicture thinned_out(const PalettePicture& picture, int longer_side_px) {
+  const int side = std::max(picture.width_px, picture.height_px);
+  const int step = (side + longer_side_px - 1) / longer_side_px;
+  if (step <= 1) return picture;
+  PalettePicture small;
+  small.palette = picture.palette;
+  small.width_px = (picture.width_px + step - 1) / step;
+  small.height_px = (picture.height_px + step - 1) / step;
+  for (int y = 0; y < picture.height_px; y += step)
+    for (int x = 0; x < picture.width_px; x += step)
+      small.colours.push_back(picture.colours[static_cast<std::size_t>(y * picture.width_px + x)]);
+  return small;
+}
+
 std::optional<GoldenFrame> encode_golden_frame(const PalettePicture& picture) {
   GoldenFrame golden;
   golden.width_px = picture.width_px;

@@ -23,6 +23,9 @@ inline constexpr int kGoldenMargin_px = 3;
 std::optional<PalettePicture> palette_picture(const Frame& frame, const RegionMap& map,
                                               SensorKind sensor);
 
+// Every second, third, ... pixel of each row and column, so that no side is longer than asked for.
+PalettePicture thinned_out(const PalettePicture& picture, int longer_side_px);
+
 // Without an answer yet. Nothing where a row has too many runs.
 std::optional<GoldenFrame> encode_golden_frame(const PalettePicture& picture);
 
