@@ -1,11 +1,8 @@
 #include "runtime/recognition/recogniser.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "runtime/base/portable_math.h"
-#include "runtime/recognition/light_estimate.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -13,9 +10,6 @@ namespace {
 
 // Classes that go on to the fit of their key views.
 constexpr std::size_t kMaxCandidates = 512;
-
-// Key views of a class that are followed where they are seen from elsewhere and fit about as well.
-constexpr std::size_t kMostViews = 3;
 
 CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& index,
                       const Frame& frame) {
@@ -35,52 +29,6 @@ CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& 
   return {focal_px, focal_px, (width - 1) / 2, (height - 1) / 2};
 }
 
-// The view found is the mean of the key views that fit about as well as the best one of their
-// class and look from near it.
-struct ViewMean {
-  static constexpr float kNear_cos = 0.94F;  // 20 degrees
-  static constexpr std::size_t kMaxViews = 512;
-  std::array<float, kMaxViews> costs{};
-  std::array<const KeyView*, kMaxViews> views{};
-  std::size_t count = 0;
-
-  void add(const KeyView& view, float cost) {
-    if (count == kMaxViews) return;
-    costs[count] = cost;
-    views[count++] = &view;
-  }
-
-  Vector3 about(const KeyView& best, float best_cost) const {
-    Vector3 sum{};
-    const float scale = 1.0F + 0.5F * best_cost;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vector3 &a = best.direction, &b = views[k]->direction;
-      if (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < kNear_cos) continue;
-      const float weight =
-          static_cast<float>(portable_exp(static_cast<double>((best_cost - costs[k]) / scale)));
-      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weight * b[axis];
-    }
-    const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    if (!(length > 0)) return best.direction;
-    return {sum[0] / length, sum[1] / length, sum[2] / length};
-  }
-
-  // The best of those seen from elsewhere than all of `taken`, null: none.
-  const KeyView* elsewhere(std::span<const KeyView* const> taken, float most_cost) const {
-    const KeyView* best = nullptr;
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto is_near = [&](const KeyView* other) {
-        const Vector3 &a = other->direction, &b = views[k]->direction;
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] >= kNear_cos;
-      };
-      if (costs[k] > most_cost || std::any_of(taken.begin(), taken.end(), is_near)) continue;
-      best = views[k];
-      most_cost = costs[k];
-    }
-    return best;
-  }
-};
-
 }  // namespace
 
 void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
@@ -98,6 +46,7 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   objects_ = arena.take<SeenObject>(kMaxBlobs);
   poses_ = arena.take<VerifiedPose>(kMaxBlobs * PoseSearch::kMostPoses);
   cameras_ = arena.take<CameraModel>(indexes.size());
+  view_search_.prepare(indexes);
   pose_search_.prepare(arena, indexes);
 }
 
@@ -138,9 +87,7 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, std::size_t blob_p
   const auto seen = std::span<const ContourFeature>(features).first(count);
   std::size_t candidates = shortlist(seen);
   if (parameters_.ranking == RecogniserParameters::Ranking::views) {
-    const std::size_t classes = candidates;
-    candidates = fit_shortlist(seen, classes);
-    raise_neighbours(candidates);
+    candidates = view_search_.run(seen, candidates_, candidates);
     // A model has colours, which other sensors do not see.
     if (parameters_.poses && parameters_.vision.sensor == SensorKind::colour)
       find_poses(candidates, blob_place);
@@ -198,83 +145,6 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
     }
   }
   return count;
-}
-
-// Scores every candidate by its best key view; adds those that are seen from elsewhere and fit
-// about as well, and returns how many there are then.
-std::size_t Recogniser::fit_shortlist(std::span<const ContourFeature> features,
-                                      std::size_t candidates) {
-  view_fitter_.set_contours(features);
-  constexpr float kGiveUpFactor = 4, kGiveUpLeast = 8;
-  float least_cost = std::numeric_limits<float>::infinity();
-  std::size_t count = candidates;
-  for (Hypothesis& hypothesis : candidates_.first(candidates)) {
-    const ClassIndex& index = indexes_[hypothesis.index];
-    const AspectClass& aspect = index.classes[hypothesis.class_id];
-    ViewMean mean;
-    ViewFit best;
-    best.cost = std::numeric_limits<float>::infinity();
-    const KeyView* best_view = nullptr;
-    for (const KeyView& view : ClassIndex::part(index.key_views, aspect.key_views)) {
-      const float give_up = std::max(kGiveUpLeast, kGiveUpFactor * std::min(least_cost, best.cost));
-      const ViewFit fit =
-          view_fitter_.fit(ClassIndex::part(index.key_contours, view.contours), give_up);
-      mean.add(view, fit.cost);
-      if (fit.cost >= best.cost) continue;
-      best = fit;
-      best_view = &view;
-    }
-    if (best_view == nullptr) {
-      hypothesis.score = 0;
-      continue;
-    }
-    least_cost = std::min(least_cost, best.cost);
-    const auto start_from = [&](Hypothesis& h, const KeyView& view, const ViewFit& fit) {
-      h.score = 1 / (1 + static_cast<double>(fit.cost));
-      h.view = mean.about(view, fit.cost);
-      h.roll_rad = fit.roll_rad;
-      h.start = {view.direction, h.view, fit.roll_rad,
-                 estimate_light(features, ClassIndex::part(index.key_contours, view.contours),
-                                fit.assignment)};
-    };
-    start_from(hypothesis, *best_view, best);
-    constexpr float kAsWell = 1.5F, kSlack = 0.5F;
-    const float most_cost = kAsWell * best.cost + kSlack;
-    std::array<const KeyView*, kMostViews> taken{best_view};
-    for (std::size_t k = 1; k < kMostViews && count < candidates_.size(); ++k) {
-      taken[k] = mean.elsewhere(std::span(taken).first(k), most_cost);
-      if (taken[k] == nullptr) break;
-      Hypothesis& second = candidates_[count++];
-      second = hypothesis;
-      second.is_second_view = true;
-      start_from(second, *taken[k],
-                 view_fitter_.fit(ClassIndex::part(index.key_contours, taken[k]->contours),
-                                  2 * most_cost));
-    }
-  }
-  return count;
-}
-
-// The best view is found to a few degrees, so that a class seen from near it may be the right one
-// however badly its own key views fit, as they do at its border.
-void Recogniser::raise_neighbours(std::size_t candidates) {
-  constexpr double kShare = 0.5, kReach_rad = 0.05;
-  const auto list = candidates_.first(candidates);
-  if (list.empty()) return;
-  const Hypothesis best = *std::min_element(list.begin(), list.end(), better);
-  const ClassIndex& index = indexes_[best.index];
-  for (Hypothesis& hypothesis : list) {
-    if (hypothesis.index != best.index) continue;
-    double nearest = -1;
-    const AspectClass& aspect = index.classes[hypothesis.class_id];
-    for (const KeyView& view : ClassIndex::part(index.key_views, aspect.key_views)) {
-      const Vector3 &a = view.direction, &b = best.view;
-      nearest = std::max(nearest, static_cast<double>(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]));
-    }
-    const double angle = portable_acos(std::clamp(nearest, -1.0, 1.0));
-    hypothesis.score =
-        std::max(hypothesis.score, kShare * best.score * portable_exp(-angle / kReach_rad));
-  }
 }
 
 void Recogniser::find_poses(std::size_t candidates, std::size_t blob) {

@@ -15,7 +15,7 @@
 #include "runtime/recognition/hypothesis.h"
 #include "runtime/recognition/pose_search.h"
 #include "runtime/recognition/verdict.h"
-#include "runtime/recognition/view_fit.h"
+#include "runtime/recognition/view_search.h"
 #include "runtime/vision/vision.h"
 
 namespace aspect {
@@ -97,8 +97,6 @@ class Recogniser {
  private:
   SeenObject recognise_blob(const ViewGraph& graph, std::size_t blob_place);
   std::size_t shortlist(std::span<const ContourFeature> features);
-  std::size_t fit_shortlist(std::span<const ContourFeature> features, std::size_t candidates);
-  void raise_neighbours(std::size_t candidates);
   void find_poses(std::size_t candidates, std::size_t blob);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 
@@ -112,7 +110,7 @@ class Recogniser {
   std::array<std::uint16_t, kMaxSide> contour_of_feature_{};
   std::size_t hypothesis_count_ = 0, match_count_ = 0;
   ClassMatcher class_matcher_;
-  ViewFitter view_fitter_;
+  ViewSearch view_search_;
   PoseSearch pose_search_;
   std::span<CameraModel> cameras_;  // of this frame, for each index
   std::span<VerifiedPose> poses_;

@@ -1,0 +1,52 @@
+// From classes to views: the key views of each class on the shortlist are fitted to what is seen,
+// and the best ones say from where the object is seen, how it is turned and in what light.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "runtime/recognition/class_index.h"
+#include "runtime/recognition/hypothesis.h"
+#include "runtime/recognition/view_fit.h"
+
+namespace aspect {
+
+class ViewSearch {
+ public:
+  // `indexes` must outlive the search.
+  void prepare(std::span<const ClassIndex> indexes) { indexes_ = indexes; }
+
+  // Scores each of the first `count` hypotheses of `room` by its class's best key view; behind
+  // them, as far as there is room, come second views of the same classes, seen from elsewhere, that
+  // fit about as well. Returns how many there are then.
+  std::size_t run(std::span<const ContourFeature> seen, std::span<Hypothesis> room,
+                  std::size_t count);
+
+ private:
+  static constexpr std::size_t kMostFitted = 512;  // key views of a class
+
+  // A class's key views that were fitted, and what they cost.
+  struct Fitted {
+    std::array<const KeyView*, kMostFitted> views{};
+    std::array<float, kMostFitted> costs{};
+    std::size_t count = 0;
+
+    void add(const KeyView& view, float cost);
+    float cost_nearest(const KeyView& view, std::size_t among) const;
+    Vector3 mean_about(const KeyView& best, float best_cost) const;
+    const KeyView* elsewhere(std::span<const KeyView* const> taken, float most_cost) const;
+  };
+  struct Best {
+    ViewFit fit;
+    const KeyView* view = nullptr;  // null: none was fitted
+  };
+
+  Best fit_class(const ClassIndex& index, const AspectClass& aspect, float least_cost);
+  void raise_neighbours(std::span<Hypothesis> list) const;
+
+  std::span<const ClassIndex> indexes_;
+  ViewFitter fitter_;
+  Fitted fitted_;
+};
+
+}  // namespace aspect
