@@ -20,7 +20,8 @@ struct FoundBorder {
 };
 
 std::optional<FoundBorder> find_border(const BorderPoint& point, const CameraModel& camera,
-                                       const SeenColours& seen, float reach_px, bool any_outline) {
+                                       const SeenColours& seen, float reach_px, bool any_outline,
+                                       Behind behind) {
   const Point2d from =
       camera.bent({static_cast<double>(point.x_px), static_cast<double>(point.y_px)});
   const Point2d to = camera.bent({static_cast<double>(point.x_px + point.normal_x),
@@ -47,15 +48,18 @@ std::optional<FoundBorder> find_border(const BorderPoint& point, const CameraMod
     }
   };
   Crossing border, outline;
+  const bool any_outside = behind == Behind::anything && point.outside == kBackgroundClass;
   for (int t = -reach - kWidest; t <= reach + kWidest; ++t) {
     const auto f = static_cast<float>(t);
     const ColourClass colour = seen.at(x + f * step_x, y + f * step_y);
-    border.see(t, colour == point.inside, colour == point.outside);
+    border.see(t, colour == point.inside,
+               any_outside ? colour != point.inside : colour == point.outside);
     outline.see(t, colour != kBackgroundClass, colour == kBackgroundClass);
   }
   FoundBorder found{border.distance, 1};
   constexpr double kOutlineWeight = 0.3;
-  if (any_outline && std::abs(found.distance_px) > reach_px && point.outside == kBackgroundClass)
+  if (any_outline && !any_outside && std::abs(found.distance_px) > reach_px &&
+      point.outside == kBackgroundClass)
     found = {outline.distance, kOutlineWeight};
   const float best = found.distance_px;
   if (std::abs(best) > reach_px) return std::nullopt;
@@ -129,7 +133,7 @@ double size_of(const std::array<double, 6>& step, double radius) {
 
 RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
                         const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
-                        float reach_px, RefinementScratch& scratch) {
+                        float reach_px, RefinementScratch& scratch, Behind behind) {
   RefinedPose refined;
   refined.pose = start;
   constexpr float kLeastReach_px = 3, kOutlineReach = 0.6F;
@@ -148,7 +152,8 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
     NormalEquations equations;
     double squares = 0, weights = 0;
     for (const BorderPoint& point : std::span(scratch.points).first(count)) {
-      const std::optional<FoundBorder> border = find_border(point, camera, seen, reach, near);
+      const std::optional<FoundBorder> border =
+          find_border(point, camera, seen, reach, near, behind);
       if (!border) continue;
       ++refined.borders_found;
       const Measured m = measured(point, refined.pose, model.centre, camera, border->distance_px);

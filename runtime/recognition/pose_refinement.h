@@ -26,11 +26,15 @@ struct RefinementScratch {
   std::array<BorderPoint, kMaxBorderPoints> points{};
 };
 
+// What stands behind the object: the background of what is alone, or anything.
+enum class Behind : std::uint8_t { background, anything };
+
 // From where `start` shows the object to within about `reach_px`. Nothing is refined where no more
 // than a handful of borders is found. `box` is what the blob fills.
 RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
                         const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
-                        float reach_px, RefinementScratch& scratch);
+                        float reach_px, RefinementScratch& scratch,
+                        Behind behind = Behind::background);
 
 // What share of the object and the blob together is as drawn, 0 to 1, colours compared cell by
 // cell. Blur eats thin faces and the rims of others, the more the smaller an object is seen:

@@ -106,6 +106,13 @@ void PoseSearch::name_class(Hypothesis& hypothesis, std::span<Hypothesis> list) 
   hypothesis.class_id = named;
 }
 
+void PoseSearch::settle(Hypothesis& hypothesis, VerifiedPose& pose) const {
+  const ClassIndex& index = indexes_[hypothesis.index];
+  pose.refined.pose = canonical(pose.refined.pose, index);
+  hypothesis.view = view_of(pose.refined.pose, index.model.centre);
+  hypothesis.class_id = static_cast<std::uint16_t>(class_nearest(index, hypothesis.view, 0));
+}
+
 std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
                             std::span<VerifiedPose> poses) {
   std::array<Start, kMostStarted> starts;

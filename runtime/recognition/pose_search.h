@@ -32,6 +32,10 @@ class PoseSearch {
   // they are in.
   std::size_t run(std::span<Hypothesis> list, const SeenBlob& blob, std::span<VerifiedPose> poses);
 
+  // A pose found elsewhere: the canonical one of those that look alike, and from it the
+  // hypothesis's view and class.
+  void settle(Hypothesis& hypothesis, VerifiedPose& pose) const;
+
  private:
   VerifiedPose verify(const Hypothesis& hypothesis, const RigidPose& pose, const SeenBlob& blob,
                       int rounds);

@@ -1,6 +1,7 @@
 #include "runtime/recognition/recogniser.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "runtime/base/portable_math.h"
 #include "runtime/vision/vision_limits.h"
@@ -10,6 +11,36 @@ namespace {
 
 // Classes that go on to the fit of their key views.
 constexpr std::size_t kMaxCandidates = 512;
+
+// A speck of one colour looks like many things, and what reaches from border to border is what
+// stands behind.
+bool says_little(const Blob& blob, std::size_t contours, const Frame& frame) {
+  constexpr float kLeastArea_px = 1000;
+  const auto spans = [](int begin, int length, int all) {
+    constexpr int kNear_px = 2;
+    return begin <= kNear_px && begin + length >= all - kNear_px;
+  };
+  return (contours < 2 && blob.area_px < kLeastArea_px) ||
+         (spans(blob.box.x, blob.box.width, frame.width_px) &&
+          spans(blob.box.y, blob.box.height, frame.height_px));
+}
+
+// The blob that the box's middle lies in or is nearest to.
+std::size_t blob_around(const Box& box, const RegionMap& regions) {
+  std::size_t nearest = 0;
+  int least = std::numeric_limits<int>::max();
+  const int x = box.x + box.width / 2, y = box.y + box.height / 2;
+  for (std::size_t b = 0; b < regions.blobs.size(); ++b) {
+    const Box& other = regions.blobs[b].box;
+    const int dx = std::max({other.x - x, x - other.x - other.width, 0}),
+              dy = std::max({other.y - y, y - other.y - other.height, 0});
+    // The smallest one of several.
+    if (std::max(dx, dy) > least) continue;
+    least = std::max(dx, dy);
+    nearest = b;
+  }
+  return nearest;
+}
 
 CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& index,
                       const Frame& frame) {
@@ -48,6 +79,7 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   cameras_ = arena.take<CameraModel>(indexes.size());
   view_search_.prepare(indexes);
   pose_search_.prepare(arena, indexes);
+  if (looks_anywhere()) scene_search_.prepare(arena, indexes);
 }
 
 Recognition Recogniser::recognise(const Frame& frame) noexcept {
@@ -62,7 +94,8 @@ Recognition Recogniser::recognise(const Frame& frame) noexcept {
     cameras_[i] = camera_of(parameters_, indexes_[i], frame);
   std::size_t objects = 0;
   for (; objects < recognition.graph.blobs.size(); ++objects)
-    objects_[objects] = recognise_blob(recognition.graph, objects);
+    objects_[objects] = recognise_blob(frame, recognition.graph, objects);
+  if (looks_anywhere()) objects = search_scene(frame, objects);
   recognition.objects = objects_.first(objects);
   const auto end = Clock::now();
   const VisionTimes& times = vision_.times();
@@ -72,7 +105,8 @@ Recognition Recogniser::recognise(const Frame& frame) noexcept {
   return recognition;
 }
 
-SeenObject Recogniser::recognise_blob(const ViewGraph& graph, std::size_t blob_place) {
+SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph,
+                                      std::size_t blob_place) {
   const Blob& blob = graph.blobs[blob_place];
   std::array<ContourFeature, kMaxSide> features;
   std::size_t count = 0;
@@ -107,8 +141,12 @@ SeenObject Recogniser::recognise_blob(const ViewGraph& graph, std::size_t blob_p
   for (const Hypothesis& hypothesis : list.first(reported))
     if (hypothesis.score >= parameters_.score_min) report(hypothesis, seen);
   const auto hypotheses = hypotheses_.subspan(first, hypothesis_count_ - first);
-  return {blob.box, static_cast<int>(count),
-          judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses};
+  SeenObject object{blob.box, blob_place, static_cast<int>(count),
+                    judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses};
+  if (object.judgement.verdict == Verdict::match && looks_anywhere() &&
+      says_little(blob, count, frame))
+    object.judgement.verdict = Verdict::unknown;
+  return object;
 }
 
 // Classes in which about as many contours can be matched as in the best one.
@@ -152,6 +190,64 @@ void Recogniser::find_poses(std::size_t candidates, std::size_t blob) {
   const SeenBlob seen{&vision_.colours(), &vision_.regions(), blob, cameras_};
   pose_count_ += pose_search_.run(candidates_.first(candidates), seen, poses_.subspan(pose_count_));
   pose_time_ += std::chrono::steady_clock::now() - start;
+}
+
+bool Recogniser::looks_anywhere() const {
+  return parameters_.anywhere && parameters_.poses && !parameters_.vision.one_blob &&
+         parameters_.ranking == RecogniserParameters::Ranking::views &&
+         parameters_.vision.sensor == SensorKind::colour;
+}
+
+std::size_t Recogniser::add_found(const SceneObject& found, std::size_t objects) {
+  if (objects == objects_.size() || hypothesis_count_ == hypotheses_.size() ||
+      pose_count_ == poses_.size())
+    return objects;
+  VerifiedPose& pose = poses_[pose_count_++];
+  pose.refined = found.refined;
+  pose.agreement = {found.agreement.score, found.agreement.score};
+  Hypothesis& hypothesis = hypotheses_[hypothesis_count_++];
+  hypothesis = {};
+  hypothesis.index = found.index;
+  hypothesis.score = static_cast<double>(found.agreement.score);
+  hypothesis.matched = found.agreement.colours;
+  hypothesis.roll_rad = found.roll_rad;
+  hypothesis.pose = &pose;
+  pose_search_.settle(hypothesis, pose);
+  Judgement judgement;
+  judgement.verdict = Verdict::match;
+  judgement.probability = found.agreement.score;
+  objects_[objects] = {found.agreement.box, blob_around(found.agreement.box, vision_.regions()),
+                       found.agreement.colours, judgement,
+                       hypotheses_.subspan(hypothesis_count_ - 1, 1)};
+  return objects + 1;
+}
+
+// What is found in blobs that are no object takes their place in the list; returns how many objects
+// there are then.
+std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
+  const auto alone = objects_.first(objects);
+  for (const SeenObject& object : alone)
+    taken_[object.blob] = object.judgement.verdict == Verdict::match;
+  if (std::all_of(taken_.begin(), taken_.begin() + static_cast<std::ptrdiff_t>(objects),
+                  [](bool taken) { return taken; }))
+    return objects;
+  const auto start = std::chrono::steady_clock::now();
+  const Scene scene{&vision_.colours(), &vision_.regions(), std::span(taken_).first(objects),
+                    cameras_,           frame.width_px,     frame.height_px};
+  std::size_t end = objects;
+  for (const SceneObject& found : scene_search_.run(scene))
+    if (is_there(found.agreement)) end = add_found(found, end);
+  // A blob is what was found in it.
+  const auto others = objects_.subspan(objects, end - objects);
+  const auto is_explained = [&](const SeenObject& object) {
+    return !taken_[object.blob] &&
+           std::any_of(others.begin(), others.end(),
+                       [&](const SeenObject& other) { return other.blob == object.blob; });
+  };
+  const auto left = std::remove_if(alone.begin(), alone.end(), is_explained);
+  const auto kept = std::copy(others.begin(), others.end(), left);
+  pose_time_ += std::chrono::steady_clock::now() - start;
+  return static_cast<std::size_t>(kept - objects_.begin());
 }
 
 // Moves a hypothesis to the result, with the contours that its class matches.

@@ -14,6 +14,7 @@
 #include "runtime/recognition/class_match.h"
 #include "runtime/recognition/hypothesis.h"
 #include "runtime/recognition/pose_search.h"
+#include "runtime/recognition/scene_search.h"
 #include "runtime/recognition/verdict.h"
 #include "runtime/recognition/view_search.h"
 #include "runtime/vision/vision.h"
@@ -53,6 +54,10 @@ struct RecogniserParameters {
   // Poses are found for the best hypotheses; not with ranking by classes.
   bool poses = true;
 
+  // What is not explained as an object that stands alone is searched for objects before any
+  // background, touching or half hidden; needs poses.
+  bool anywhere = true;
+
   // Contours a class may match fewer than the best class and still be fitted, typical 1. More
   // forgives more wrong contour types and costs time.
   int shortlist_slack = 1;
@@ -60,6 +65,7 @@ struct RecogniserParameters {
 
 struct SeenObject {
   Box box;
+  std::size_t blob = 0;  // of the graph: that it is, or that its middle lies in
   int regions = 0;
   Judgement judgement;
   std::span<const Hypothesis> hypotheses;  // best first
@@ -71,7 +77,7 @@ struct StageTimes {
 
 struct Recognition {
   ViewGraph graph;                      // what was seen
-  std::span<const SeenObject> objects;  // largest first
+  std::span<const SeenObject> objects;  // those alone, largest first, then the others, best first
   StageTimes stages;
   std::chrono::nanoseconds elapsed{};
 };
@@ -95,9 +101,12 @@ class Recogniser {
   std::span<const CameraModel> cameras() const { return cameras_; }
 
  private:
-  SeenObject recognise_blob(const ViewGraph& graph, std::size_t blob_place);
+  SeenObject recognise_blob(const Frame& frame, const ViewGraph& graph, std::size_t blob_place);
   std::size_t shortlist(std::span<const ContourFeature> features);
   void find_poses(std::size_t candidates, std::size_t blob);
+  bool looks_anywhere() const;
+  std::size_t add_found(const SceneObject& found, std::size_t objects);
+  std::size_t search_scene(const Frame& frame, std::size_t objects);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 
   std::span<const ClassIndex> indexes_;
@@ -112,6 +121,8 @@ class Recogniser {
   ClassMatcher class_matcher_;
   ViewSearch view_search_;
   PoseSearch pose_search_;
+  SceneSearch scene_search_;
+  std::array<bool, kMaxBlobs> taken_{};
   std::span<CameraModel> cameras_;  // of this frame, for each index
   std::span<VerifiedPose> poses_;
   std::size_t pose_count_ = 0;

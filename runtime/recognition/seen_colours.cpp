@@ -38,7 +38,7 @@ void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob
   for (std::size_t k = 0; k < colour_count_; ++k) expected_[k] = lit(model.shares[k], light);
   for (std::size_t r = 0; r < regions.regions.size(); ++r) {
     const Region& region = regions.regions[r];
-    class_of_label_[r + 1] = region.blob == blob ? nearest_to(region.mean_rgb) : kBackgroundClass;
+    class_of_label_[r + 1] = blob == kAllBlobs || region.blob == blob ? nearest_to(region.mean_rgb) : kBackgroundClass;
   }
 }
 

@@ -26,6 +26,9 @@ class SeenColours {
   // No colour of the model: something else.
   static constexpr ColourClass kOther = 255;
 
+  // For `look`: regions of all blobs count.
+  static constexpr int kAllBlobs = -1;
+
   // Regions outside of the blob count as background.
   void look(const RegionMap& regions, const Planes& colours, int blob, const ObjectModel& model,
             const LightGain& light);

@@ -16,7 +16,8 @@ std::vector<std::string> FrameExplainer::explain(const Frame& frame, const Recog
   for (std::size_t k = 0; k < recognition.objects.size(); ++k) {
     const auto list = recognition.objects[k].hypotheses;
     SeenExplanation best;
-    if (!list.empty()) best = explain_seen(list.front(), list.front().pose, k, seen);
+    if (!list.empty())
+      best = explain_seen(list.front(), list.front().pose, recognition.objects[k].blob, seen);
     std::optional<RivalExplanation> rival;
     if (rivals_) rival = rivals_->explain(k);
     explanations.push_back(explanation_json(best, rival ? &*rival : nullptr, indexes_));

@@ -119,7 +119,7 @@ RivalExplanation RivalExplainer::explain(std::size_t object) {
   rival.hypothesis = *own;
   const VerifiedPose* pose = pose_of(*own, object);
   if (pose != nullptr) rival.agreement = pose->agreement.all_but_rims;
-  rival.seen = explain_seen(*own, pose, object,
+  rival.seen = explain_seen(*own, pose, recognition_.objects[object].blob,
                             {recognition_.graph, &recogniser_.regions(), &recogniser_.colours(),
                              indexes_, recogniser_.cameras()});
   rival.reason = reason_for(rival, list.front(), judgement, indexes_);
@@ -127,7 +127,7 @@ RivalExplanation RivalExplainer::explain(std::size_t object) {
 }
 
 void RivalExplainer::count_matches(std::size_t object, RivalExplanation& rival) {
-  const Blob& blob = recognition_.graph.blobs[object];
+  const Blob& blob = recognition_.graph.blobs[recognition_.objects[object].blob];
   std::vector<ContourFeature> features;
   for (const Contour& contour :
        recognition_.graph.contours.subspan(static_cast<std::size_t>(blob.first_contour),
@@ -159,8 +159,8 @@ const VerifiedPose* RivalExplainer::pose_of(const Hypothesis& hypothesis, std::s
   if (!has_start) return nullptr;
   constexpr int kRounds = 7;  // as many as the recogniser takes
   const CameraModel& camera = recogniser_.cameras()[hypothesis.index];
-  const RigidPose start =
-      finder_.start(index, hypothesis.start, camera, recognition_.graph.blobs[object]);
+  const RigidPose start = finder_.start(
+      index, hypothesis.start, camera, recognition_.graph.blobs[recognition_.objects[object].blob]);
   found_ = finder_.verify(index, start, hypothesis.start.light, camera, recogniser_.regions(),
                           recogniser_.colours(), static_cast<int>(object), kRounds);
   return &found_;

@@ -1,0 +1,95 @@
+#include "runtime/recognition/region_pairs.h"
+
+#include <algorithm>
+
+#include "runtime/base/portable_math.h"
+
+namespace aspect {
+namespace {
+
+constexpr float kLeastArea = 0.01F;
+// Centres nearer than this, in square roots of the blob's area, give no direction.
+constexpr float kLeastDistance = 0.05F;
+
+// Calls `see(key view, first, second)` for each pair, the contour of the lower colour first.
+template <typename See>
+void each_pair(const ClassIndex& index, std::span<const ColourClass> colours, See see) {
+  for (std::size_t v = 0; v < index.key_views.size(); ++v) {
+    const IndexRange range = index.key_views[v].contours;
+    const auto contours = ClassIndex::part(index.key_contours, range);
+    const std::size_t count = std::min<std::size_t>(contours.size(), 255);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j) {
+        const ContourFeature &a = contours[i].feature, &b = contours[j].feature;
+        const ColourClass of_a = colours[range.first + i], of_b = colours[range.first + j];
+        const float dx = b.position.x - a.position.x, dy = b.position.y - a.position.y;
+        if (of_a == kBackgroundClass || of_b == kBackgroundClass) continue;
+        if (std::min(a.area, b.area) < kLeastArea ||
+            dx * dx + dy * dy < kLeastDistance * kLeastDistance)
+          continue;
+        if (of_a <= of_b)
+          see(v, i, j);
+        else
+          see(v, j, i);
+      }
+  }
+}
+
+}  // namespace
+
+ColourClass nearest_colour(const ObjectModel& model, const std::array<float, 3>& share) {
+  constexpr float kFarthest = 0.12F;
+  ColourClass nearest = kBackgroundClass;
+  float least = kFarthest * kFarthest;
+  for (std::size_t k = 0; k < model.shares.size(); ++k) {
+    float distance = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      distance += (share[c] - model.shares[k][c]) * (share[c] - model.shares[k][c]);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = static_cast<ColourClass>(k + 1);
+  }
+  return nearest;
+}
+
+float pair_size(float area, float squared_distance) {
+  return static_cast<float>(portable_log(static_cast<double>(area / squared_distance)));
+}
+
+void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {
+  colour_count_ = index.model.shares.size();
+  std::vector<ColourClass> colours(index.key_contours.size());
+  for (std::size_t k = 0; k < colours.size(); ++k)
+    colours[k] = nearest_colour(index.model, index.key_contours[k].feature.share);
+  std::size_t count = 0;
+  each_pair(index, colours, [&](std::size_t, std::size_t, std::size_t) { ++count; });
+  colours_ = arena.take<ColourClass>(colours.size());
+  begins_ = arena.take<std::uint32_t>(colour_count_ * colour_count_ + 1);
+  pairs_ = arena.take<RegionPair>(count);
+  if (colours_.size() != colours.size() || pairs_.size() != count || begins_.empty()) return;
+  std::copy(colours.begin(), colours.end(), colours_.begin());
+  const auto bucket_of = [&](std::size_t view, std::size_t i, std::size_t j) {
+    const std::size_t first = index.key_views[view].contours.first;
+    return bucket(colours[first + i], colours[first + j]);
+  };
+  each_pair(index, colours, [&](std::size_t v, std::size_t i, std::size_t j) {
+    ++begins_[bucket_of(v, i, j) + 1];
+  });
+  for (std::size_t b = 1; b < begins_.size(); ++b) begins_[b] += begins_[b - 1];
+  std::vector<std::uint32_t> next(begins_.begin(), begins_.end());
+  each_pair(index, colours, [&](std::size_t v, std::size_t i, std::size_t j) {
+    const auto contours = ClassIndex::part(index.key_contours, index.key_views[v].contours);
+    const ContourFeature &a = contours[i].feature, &b = contours[j].feature;
+    const float dx = b.position.x - a.position.x, dy = b.position.y - a.position.y;
+    pairs_[next[bucket_of(v, i, j)]++] = {
+        static_cast<std::uint32_t>(v), static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
+        pair_size(a.area, dx * dx + dy * dy), pair_size(b.area, dx * dx + dy * dy)};
+  });
+}
+
+std::span<const RegionPair> RegionPairs::of(ColourClass first, ColourClass second) const {
+  const std::size_t b = bucket(first, second);
+  return std::span<const RegionPair>(pairs_).subspan(begins_[b], begins_[b + 1] - begins_[b]);
+}
+
+}  // namespace aspect

@@ -1,0 +1,84 @@
+#include "runtime/recognition/scene_agreement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace aspect {
+namespace {
+
+// Cells of a colour that is seen, and what a leak costs.
+constexpr int kLeastCells = 8;
+constexpr float kLeakCost = 0.5F;
+
+ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
+  constexpr int kRim = 2;
+  for (int d = 1; d <= kRim; ++d)
+    for (const auto& [right, down] : {std::pair{-d, 0}, {d, 0}, {0, -d}, {0, d}}) {
+      const int x = column + right, y = row + down;
+      if (x < 0 || y < 0 || x >= drawing.width() || y >= drawing.height()) continue;
+      const ModelDrawing::Cell cell = drawing.cell(x, y);
+      if (cell.covered) return cell.colour;
+    }
+  return kBackgroundClass;
+}
+
+}  // namespace
+
+bool is_there(const SceneAgreement& agreement) {
+  // By the number of colours, from one on: two side by side are found on many things, four as they
+  // should be on none; what hides a part of the object takes some of the rest.
+  constexpr std::array<float, 4> kLeast{2, 0.93F, 0.65F, 0.58F};
+  if (agreement.colours < 1) return false;
+  const auto place = std::min<std::size_t>(static_cast<std::size_t>(agreement.colours), 4) - 1;
+  return agreement.score >= kLeast[place];
+}
+
+SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& camera,
+                               const SeenColours& seen, int width_px, int height_px) {
+  int drawn = 0, inside = 0, right = 0, rim = 0, leak = 0;
+  std::array<int, kMaxModelColours + 1> cells_of_colour{};
+  float left_px = 1e9F, right_px = -1e9F, top_px = 1e9F, bottom_px = -1e9F;
+  for (int row = 0; row < drawing.height(); ++row)
+    for (int column = 0; column < drawing.width(); ++column) {
+      const ModelDrawing::Cell cell = drawing.cell(column, row);
+      if (cell.covered && cell.colour == kBackgroundClass) continue;
+      const ColourClass beside =
+          cell.covered ? kBackgroundClass : colour_beside(drawing, column, row);
+      if (!cell.covered && beside == kBackgroundClass) continue;
+      const Point2d p = camera.bent(
+          {static_cast<double>(drawing.x_px(column)), static_cast<double>(drawing.y_px(row))});
+      const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+      drawn += cell.covered ? 1 : 0;
+      if (!(x >= 0 && y >= 0 && x <= static_cast<float>(width_px - 1) &&
+            y <= static_cast<float>(height_px - 1)))
+        continue;
+      const ColourClass wanted = cell.covered ? cell.colour : beside;
+      const bool is_seen = seen.at(x, y) == wanted || seen.at_pixel(x, y) == wanted;
+      if (!cell.covered) {
+        ++rim;
+        leak += is_seen ? 1 : 0;
+        continue;
+      }
+      ++inside;
+      right += is_seen ? 1 : 0;
+      cells_of_colour[wanted] += is_seen ? 1 : 0;
+      left_px = std::min(left_px, x);
+      right_px = std::max(right_px, x);
+      top_px = std::min(top_px, y);
+      bottom_px = std::max(bottom_px, y);
+    }
+  SceneAgreement agreement;
+  if (inside == 0) return agreement;
+  agreement.inside = static_cast<float>(inside) / static_cast<float>(drawn);
+  agreement.score = static_cast<float>(right) / static_cast<float>(inside) -
+                    kLeakCost * static_cast<float>(leak) / static_cast<float>(std::max(1, rim));
+  agreement.colours =
+      static_cast<int>(std::count_if(cells_of_colour.begin(), cells_of_colour.end(),
+                                     [](int cells) { return cells >= kLeastCells; }));
+  const int x = static_cast<int>(left_px), y = static_cast<int>(top_px);
+  agreement.box = {x, y, static_cast<int>(right_px) + 1 - x, static_cast<int>(bottom_px) + 1 - y};
+  return agreement;
+}
+
+}  // namespace aspect

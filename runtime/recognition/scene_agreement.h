@@ -1,0 +1,25 @@
+// How far a drawn object is there, before whatever stands behind it and beside others.
+#pragma once
+
+#include "runtime/recognition/model_drawing.h"
+#include "runtime/recognition/seen_colours.h"
+
+namespace aspect {
+
+struct SceneAgreement {
+  // The share of drawn cells whose colour is seen, less what goes on beyond the outline in the
+  // colour of the surface beside it.
+  float score = 0;
+  float inside = 0;  // the share of the drawn cells that lies within the picture
+  int colours = 0;   // of the object that are seen
+  Box box;           // what is drawn, within the picture
+};
+
+// Enough of it to say that the object is there.
+bool is_there(const SceneAgreement& agreement);
+
+// O(cells).
+SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& camera,
+                               const SeenColours& seen, int width_px, int height_px);
+
+}  // namespace aspect

@@ -1,0 +1,325 @@
+#include "runtime/recognition/scene_search.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "runtime/base/portable_math.h"
+
+namespace aspect {
+namespace {
+
+// Regions that take part.
+constexpr float kLeastArea_px = 60, kMostAreaShare = 0.3F;
+// Shares farther from a colour of the model than this are not it.
+constexpr float kFarthestShare = 0.1F;
+// Two regions are neighbours where their centres are no farther apart than this, in square roots of
+// the sum of their areas.
+constexpr float kFarthest = 3;
+// Differences of pair_size that a step between key views and a rough outline make.
+constexpr float kSizeReach = 0.45F;
+// Two starts are one where they differ by less.
+constexpr float kSamePlace = 0.2F, kSameTurn_cos = 0.96F, kSameView_cos = 0.97F;
+// Of the picture, so large that it says something.
+constexpr float kEnoughArea_px = 1500;
+constexpr int kStartCells = 24, kFinalCells = 48, kRounds = 7;
+constexpr std::size_t kMostRefined = 24;
+constexpr std::ptrdiff_t kMostInPlace = 3;
+// A drawing that shows less than this of what it should is not worth refining.
+constexpr float kHopeful = 0.35F;
+constexpr float kPlaceShare = 0.6F;
+
+float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  float sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
+std::uint64_t colours_near(const ObjectModel& model, const std::array<float, 3>& rgb) {
+  const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
+  const std::array<float, 3> share{rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
+  std::uint64_t near = 0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(model.shares.size(), 64); ++k)
+    if (squared_distance(share, model.shares[k]) < kFarthestShare * kFarthestShare)
+      near |= std::uint64_t{1} << k;
+  return near;
+}
+
+bool is_of(std::uint64_t colours, ColourClass colour) {
+  return colour != kBackgroundClass && (colours >> (colour - 1U) & 1U) != 0;
+}
+
+// Where the object's middle is in the picture, and how far it reaches from there.
+struct Place {
+  float x = 0, y = 0, radius_px = 0;
+};
+
+Place place_of(const ObjectModel& model, const RigidPose& pose, const CameraModel& camera) {
+  const Vector3d centre = pose(model.centre);
+  const double near = 1 / std::max(centre[2], 1e-9);
+  return {static_cast<float>(camera.cx_px + camera.fx_px * centre[0] * near),
+          static_cast<float>(camera.cy_px + camera.fy_px * centre[1] * near),
+          static_cast<float>(model.radius * camera.fx_px * near)};
+}
+
+bool share_place(const Place& a, const Place& b) {
+  const float dx = a.x - b.x, dy = a.y - b.y;
+  const float reach = kPlaceShare * std::max(a.radius_px, b.radius_px);
+  return dx * dx + dy * dy < reach * reach;
+}
+
+Box box_around(const Place& place) {
+  const int side = static_cast<int>(2 * place.radius_px) + 8;
+  return {static_cast<int>(place.x) - side / 2, static_cast<int>(place.y) - side / 2, side, side};
+}
+
+}  // namespace
+
+void SceneSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
+  indexes_ = indexes;
+  finder_.prepare(arena, indexes);
+  pairs_ = arena.take<RegionPairs>(indexes.size());
+  std::size_t vertices = 0;
+  for (std::size_t i = 0; i < indexes.size(); ++i) {
+    vertices = std::max(vertices, indexes[i].model.vertices.size());
+    if (!pairs_.empty())
+      pairs_[i].prepare(arena, indexes[i]);
+    else
+      RegionPairs().prepare(arena, indexes[i]);
+  }
+  scratch_.drawing.prepare(arena, vertices);
+}
+
+void SceneSearch::see_regions(const Scene& scene, const ClassIndex& index) {
+  const auto regions = scene.regions->regions;
+  const float most_px =
+      kMostAreaShare * static_cast<float>(scene.width_px) * static_cast<float>(scene.height_px);
+  region_count_ = 0;
+  colours_of_label_[0] = 0;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const Region& region = regions[r];
+    std::uint64_t& colours = colours_of_label_[r + 1];
+    const auto blob = static_cast<std::size_t>(region.blob);
+    colours = blob < scene.taken.size() && scene.taken[blob]
+                  ? 0
+                  : colours_near(index.model, region.mean_rgb);
+    const auto area = static_cast<float>(region.sums.area);
+    if (colours == 0 || area < kLeastArea_px || area > most_px || region_count_ == kMostRegions)
+      continue;
+    seen_regions_[region_count_++] = {
+        {static_cast<float>(region.box.x + region.sums.x / region.sums.area),
+         static_cast<float>(region.box.y + region.sums.y / region.sums.area)},
+        area,
+        moments_of(region.sums),
+        colours};
+  }
+}
+
+// The share of the key view's area whose contours find their colour where they should be.
+float SceneSearch::explained(const Scene& scene, std::size_t index_place,
+                             const Start& start) const {
+  const ClassIndex& index = indexes_[index_place];
+  const IndexRange range = index.key_views[start.key_view].contours;
+  float seen = 0, all = 0;
+  for (std::uint32_t k = 0; k < range.count; ++k) {
+    const ContourFeature& contour = index.key_contours[range.first + k].feature;
+    all += contour.area;
+    const Point2 p = contour.position;
+    const int x = static_cast<int>(start.centre_px.x +
+                                   start.scale_px * (start.cos * p.x - start.sin * p.y) + 0.5F),
+              y = static_cast<int>(start.centre_px.y +
+                                   start.scale_px * (start.sin * p.x + start.cos * p.y) + 0.5F);
+    const Box& active = scene.regions->active;
+    if (x < active.x || y < active.y || x >= active.x + active.width ||
+        y >= active.y + active.height)
+      continue;
+    const std::uint16_t label =
+        scene.regions->labels[static_cast<std::size_t>(y * scene.regions->stride_px + x)];
+    if (is_of(colours_of_label_[label], pairs_[index_place].colour_of(range.first + k)))
+      seen += contour.area;
+  }
+  return seen / all * std::min(1.0F, all * start.scale_px * start.scale_px / kEnoughArea_px);
+}
+
+// Among the best, each once.
+void SceneSearch::keep(const ClassIndex& index, const Start& start) {
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < start_count_; ++k) {
+    Start& other = starts_[k];
+    const float dx = other.centre_px.x - start.centre_px.x,
+                dy = other.centre_px.y - start.centre_px.y;
+    const float reach = kSamePlace * start.scale_px;
+    if (dx * dx + dy * dy < reach * reach &&
+        other.cos * start.cos + other.sin * start.sin > kSameTurn_cos) {
+      const Vector3 &a = index.key_views[other.key_view].direction,
+                    &b = index.key_views[start.key_view].direction;
+      if (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > kSameView_cos) {
+        if (start.score > other.score) other = start;
+        return;
+      }
+    }
+    if (other.score < starts_[worst].score) worst = k;
+  }
+  if (start_count_ < kMostStarts)
+    starts_[start_count_++] = start;
+  else if (start.score > starts_[worst].score)
+    starts_[worst] = start;
+}
+
+void SceneSearch::try_pair(const Scene& scene, std::size_t index_place, const SeenRegion& first,
+                           const SeenRegion& second, ColourClass first_colour,
+                           ColourClass second_colour) {
+  const ClassIndex& index = indexes_[index_place];
+  const float dx = second.centre_px.x - first.centre_px.x,
+              dy = second.centre_px.y - first.centre_px.y;
+  const float squared = dx * dx + dy * dy;
+  const float first_size = pair_size(first.area_px, squared),
+              second_size = pair_size(second.area_px, squared);
+  for (const RegionPair& pair : pairs_[index_place].of(first_colour, second_colour)) {
+    if (std::abs(pair.first_size - first_size) > kSizeReach ||
+        std::abs(pair.second_size - second_size) > kSizeReach)
+      continue;
+    const IndexRange range = index.key_views[pair.key_view].contours;
+    const ContourFeature &a = index.key_contours[range.first + pair.first].feature,
+                         &b = index.key_contours[range.first + pair.second].feature;
+    const float kx = b.position.x - a.position.x, ky = b.position.y - a.position.y;
+    const float key_squared = kx * kx + ky * ky;
+    Start start;
+    start.key_view = pair.key_view;
+    start.scale_px = std::sqrt(squared / key_squared);
+    const float length = std::sqrt(squared * key_squared);
+    start.cos = (dx * kx + dy * ky) / length;
+    start.sin = (dy * kx - dx * ky) / length;
+    start.centre_px = {
+        first.centre_px.x - start.scale_px * (start.cos * a.position.x - start.sin * a.position.y),
+        first.centre_px.y - start.scale_px * (start.sin * a.position.x + start.cos * a.position.y)};
+    start.score = explained(scene, index_place, start);
+    keep(index, start);
+  }
+}
+
+void SceneSearch::pair_up(const Scene& scene, std::size_t index_place) {
+  start_count_ = 0;
+  const auto regions = std::span<const SeenRegion>(seen_regions_).first(region_count_);
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    for (std::size_t j = 0; j < regions.size(); ++j) {
+      const SeenRegion &first = regions[i], &second = regions[j];
+      const float dx = second.centre_px.x - first.centre_px.x,
+                  dy = second.centre_px.y - first.centre_px.y;
+      const float squared = dx * dx + dy * dy;
+      if (i == j || squared > kFarthest * kFarthest * (first.area_px + second.area_px) ||
+          squared < 4)
+        continue;
+      for (std::uint64_t a = first.colours; a != 0; a &= a - 1)
+        for (std::uint64_t b = second.colours; b != 0; b &= b - 1) {
+          const auto of_first = static_cast<ColourClass>(std::countr_zero(a) + 1),
+                     of_second = static_cast<ColourClass>(std::countr_zero(b) + 1);
+          if (of_first <= of_second)
+            try_pair(scene, index_place, first, second, of_first, of_second);
+        }
+    }
+}
+
+void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
+  const ClassIndex& index = indexes_[index_place];
+  const CameraModel& camera = scene.cameras[index_place];
+  seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
+  for (const Start& start : std::span<const Start>(starts_).first(start_count_)) {
+    if (drawn_count_ == kMostDrawn) return;
+    const KeyView& view = index.key_views[start.key_view];
+    Blob blob;
+    blob.centre_px = start.centre_px;
+    blob.area_px = start.scale_px * start.scale_px;
+    const int side = static_cast<int>(2 * start.scale_px);
+    blob.box = {static_cast<int>(start.centre_px.x) - side / 2,
+                static_cast<int>(start.centre_px.y) - side / 2, side, side};
+    const float roll_rad = static_cast<float>(
+        portable_atan2(static_cast<double>(start.sin), static_cast<double>(start.cos)));
+    Drawn drawn;
+    drawn.index = static_cast<std::uint16_t>(index_place);
+    drawn.start = start;
+    drawn.pose = finder_.start(index, {view.direction, view.direction, roll_rad, {}}, camera, blob);
+    const Place place = place_of(index.model, drawn.pose, camera);
+    if (!scratch_.drawing.draw(index.model, drawn.pose, camera, box_around(place), kStartCells))
+      continue;
+    const SceneAgreement agreement =
+        scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
+    drawn.score = agreement.inside < 0.5F ? 0 : agreement.score;
+    if (drawn.score >= kHopeful) drawn_[drawn_count_++] = drawn;
+  }
+}
+
+bool SceneSearch::is_taken(const Scene& scene, const Drawn& drawn) const {
+  const Place place = place_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]);
+  const auto is_there = [&](const SceneObject& other) {
+    return share_place(place, place_of(indexes_[other.index].model, other.refined.pose,
+                                       scene.cameras[other.index]));
+  };
+  const auto count = std::count_if(
+      found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(found_count_), is_there);
+  return count >= kMostInPlace;
+}
+
+void SceneSearch::refine(const Scene& scene, const Drawn& drawn) {
+  const ClassIndex& index = indexes_[drawn.index];
+  const CameraModel& camera = scene.cameras[drawn.index];
+  seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
+  const Place place = place_of(index.model, drawn.pose, camera);
+  constexpr float kLeastReach_px = 5, kReach = 0.14F;
+  SceneObject& object = found_[found_count_];
+  object = {};
+  object.index = drawn.index;
+  object.key_view = drawn.start.key_view;
+  object.refined =
+      refine_pose(index.model, camera, seen_colours_, box_around(place), drawn.pose, kRounds,
+                  std::max(kLeastReach_px, kReach * place.radius_px), scratch_, Behind::anything);
+  const Place there = place_of(index.model, object.refined.pose, camera);
+  if (!scratch_.drawing.draw(index.model, object.refined.pose, camera, box_around(there),
+                             kFinalCells))
+    return;
+  object.agreement =
+      scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
+  object.roll_rad = static_cast<float>(
+      portable_atan2(static_cast<double>(drawn.start.sin), static_cast<double>(drawn.start.cos)));
+  ++found_count_;
+}
+
+std::span<const SceneObject> SceneSearch::run(const Scene& scene) {
+  drawn_count_ = found_count_ = 0;
+  for (std::size_t i = 0; i < indexes_.size(); ++i) {
+    if (indexes_[i].model.empty()) continue;
+    see_regions(scene, indexes_[i]);
+    pair_up(scene, i);
+    draw_starts(scene, i);
+  }
+  const auto drawn = std::span(drawn_).first(drawn_count_);
+  std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
+    if (a.score != b.score) return a.score > b.score;
+    if (a.index != b.index) return a.index < b.index;
+    return a.start.key_view < b.start.key_view;
+  });
+  for (const Drawn& d : drawn) {
+    if (found_count_ == kMostRefined) break;
+    if (!is_taken(scene, d)) refine(scene, d);
+  }
+  const auto found = std::span(found_).first(found_count_);
+  std::sort(found.begin(), found.end(), [](const SceneObject& a, const SceneObject& b) {
+    if (a.agreement.score != b.agreement.score) return a.agreement.score > b.agreement.score;
+    if (a.index != b.index) return a.index < b.index;
+    return a.key_view < b.key_view;
+  });
+  std::size_t kept = 0;
+  for (const SceneObject& object : found) {
+    const Place place =
+        place_of(indexes_[object.index].model, object.refined.pose, scene.cameras[object.index]);
+    const auto is_there = [&](const SceneObject& other) {
+      return share_place(place, place_of(indexes_[other.index].model, other.refined.pose,
+                                         scene.cameras[other.index]));
+    };
+    if (std::none_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), is_there))
+      found_[kept++] = object;
+  }
+  return found.first(kept);
+}
+
+}  // namespace aspect
