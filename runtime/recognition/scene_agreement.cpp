@@ -9,7 +9,8 @@ namespace {
 
 // Cells of a colour that is seen, and what a leak costs.
 constexpr int kLeastCells = 8;
-constexpr float kLeakCost = 0.5F;
+// Nothing dark hides an object.
+constexpr float kLeakCost = 0.5F, kEmptyCost = 0.5F, kWithin = 0.6F;
 
 ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
   constexpr int kRim = 2;
@@ -28,16 +29,19 @@ ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
 bool is_there(const SceneAgreement& agreement) {
   // By the number of colours, from one on: two side by side are found on many things, four as they
   // should be on none; what hides a part of the object takes some of the rest.
-  constexpr std::array<float, 4> kLeast{2, 0.93F, 0.65F, 0.58F};
-  if (agreement.colours < 1) return false;
+  constexpr std::array<float, 4> kLeast{2, 0.93F, 0.66F, 0.58F};
+  // Half of the object must be in the picture.
+  constexpr float kLeastInside = 0.45F;
+  if (agreement.colours < 1 || agreement.inside < kLeastInside) return false;
   const auto place = std::min<std::size_t>(static_cast<std::size_t>(agreement.colours), 4) - 1;
   return agreement.score >= kLeast[place];
 }
 
 SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& camera,
                                const SeenColours& seen, int width_px, int height_px) {
-  int drawn = 0, inside = 0, right = 0, rim = 0, leak = 0;
+  int drawn = 0, inside = 0, right = 0, empty = 0, rim = 0, leak = 0;
   std::array<int, kMaxModelColours + 1> cells_of_colour{};
+  std::array<std::uint16_t, kMaxRegions + 1> wrong_cells{};
   float left_px = 1e9F, right_px = -1e9F, top_px = 1e9F, bottom_px = -1e9F;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
@@ -54,7 +58,9 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
             y <= static_cast<float>(height_px - 1)))
         continue;
       const ColourClass wanted = cell.covered ? cell.colour : beside;
-      const bool is_seen = seen.at(x, y) == wanted || seen.at_pixel(x, y) == wanted;
+      const std::uint16_t label = seen.label_at(x, y);
+      const ColourClass of_region = seen.of_label(label), of_pixel = seen.at_pixel(x, y);
+      const bool is_seen = of_region == wanted || of_pixel == wanted;
       if (!cell.covered) {
         ++rim;
         leak += is_seen ? 1 : 0;
@@ -62,6 +68,8 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
       }
       ++inside;
       right += is_seen ? 1 : 0;
+      if (!is_seen && label > 0) ++wrong_cells[label];
+      empty += of_region == kBackgroundClass && of_pixel == kBackgroundClass ? 1 : 0;
       cells_of_colour[wanted] += is_seen ? 1 : 0;
       left_px = std::min(left_px, x);
       right_px = std::max(right_px, x);
@@ -71,8 +79,19 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
   SceneAgreement agreement;
   if (inside == 0) return agreement;
   agreement.inside = static_cast<float>(inside) / static_cast<float>(drawn);
-  agreement.score = static_cast<float>(right) / static_cast<float>(inside) -
-                    kLeakCost * static_cast<float>(leak) / static_cast<float>(std::max(1, rim));
+  // What goes on beyond the outline may stand before the object; what ends within it may not.
+  int contradicting = 0;
+  const float cell_px = drawing.cell_px() * drawing.cell_px();
+  for (std::size_t label = 1; label < wrong_cells.size(); ++label) {
+    const int cells = wrong_cells[label];
+    if (cells > 0 && static_cast<float>(cells) * cell_px >
+                         kWithin * seen.area_px(static_cast<std::uint16_t>(label)))
+      contradicting += cells;
+  }
+  agreement.score =
+      (static_cast<float>(right) - kEmptyCost * static_cast<float>(empty + contradicting)) /
+          static_cast<float>(inside) -
+      kLeakCost * static_cast<float>(leak) / static_cast<float>(std::max(1, rim));
   agreement.colours =
       static_cast<int>(std::count_if(cells_of_colour.begin(), cells_of_colour.end(),
                                      [](int cells) { return cells >= kLeastCells; }));

@@ -42,7 +42,7 @@ class SceneSearch {
   std::span<const SceneObject> run(const Scene& scene);
 
  private:
-  static constexpr std::size_t kMostRegions = 160, kMostStarts = 48, kMostDrawn = 192;
+  static constexpr std::size_t kMostRegions = 160, kMostStarts = 48, kMostDrawn = 256;
 
   struct SeenRegion {
     Point2 centre_px;

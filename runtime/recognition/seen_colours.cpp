@@ -38,7 +38,8 @@ void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob
   for (std::size_t k = 0; k < colour_count_; ++k) expected_[k] = lit(model.shares[k], light);
   for (std::size_t r = 0; r < regions.regions.size(); ++r) {
     const Region& region = regions.regions[r];
-    class_of_label_[r + 1] = blob == kAllBlobs || region.blob == blob ? nearest_to(region.mean_rgb) : kBackgroundClass;
+    class_of_label_[r + 1] =
+        blob == kAllBlobs || region.blob == blob ? nearest_to(region.mean_rgb) : kBackgroundClass;
   }
 }
 
@@ -62,11 +63,15 @@ ColourClass SeenColours::at_pixel(float x_px, float y_px) const {
   return colour[0] + colour[1] + colour[2] < kLeastSum ? kBackgroundClass : nearest_to(colour);
 }
 
-ColourClass SeenColours::at(float x_px, float y_px) const {
+std::uint16_t SeenColours::label_at(float x_px, float y_px) const {
   const int x = static_cast<int>(std::floor(x_px + 0.5F)),
             y = static_cast<int>(std::floor(y_px + 0.5F));
-  if (!holds(regions_->active, x, y)) return kBackgroundClass;
-  return class_of_label_[regions_->labels[static_cast<std::size_t>(y * regions_->stride_px + x)]];
+  if (!holds(regions_->active, x, y)) return 0;
+  return regions_->labels[static_cast<std::size_t>(y * regions_->stride_px + x)];
+}
+
+ColourClass SeenColours::at(float x_px, float y_px) const {
+  return class_of_label_[label_at(x_px, y_px)];
 }
 
 std::array<float, 3> SeenColours::rgb(float x_px, float y_px) const {

@@ -36,6 +36,13 @@ class SeenColours {
   // Of the pixel that holds a point.
   ColourClass at(float x_px, float y_px) const;
 
+  // The label of its region, 0: none.
+  std::uint16_t label_at(float x_px, float y_px) const;
+  float area_px(std::uint16_t label) const {
+    return static_cast<float>(regions_->regions[label - 1U].sums.area);
+  }
+  ColourClass of_label(std::uint16_t label) const { return class_of_label_[label]; }
+
   // By the pixel's own colour, not its region's.
   ColourClass at_pixel(float x_px, float y_px) const;
 
