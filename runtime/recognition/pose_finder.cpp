@@ -45,7 +45,7 @@ void PoseFinder::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
 }
 
 RigidPose PoseFinder::start(const ClassIndex& index, const ViewStart& view,
-                            const CameraModel& camera, const Blob& blob) {
+                            const CameraModel& camera, const Blob& blob, int corrections) {
   const ObjectModel& model = index.model;
   const Point2d centre = camera.straight(
       {static_cast<double>(blob.centre_px.x), static_cast<double>(blob.centre_px.y)});
@@ -59,10 +59,9 @@ RigidPose PoseFinder::start(const ClassIndex& index, const ViewStart& view,
   pose.rotation = turn_between({0, 0, 1}, (1 / norm(ray)) * ray) * straight_ahead;
   const auto side_px = std::sqrt(static_cast<double>(std::max(1.0F, blob.area_px)));
   double depth = camera.fx_px * model.radius * 1.3 / side_px;
-  constexpr int kRounds = 2;
   for (int round = 0;; ++round) {
     pose.translation = depth * ray - pose.rotation(model.centre);
-    if (round == kRounds || !scratch_.drawing.draw(model, pose, camera, blob.box, kCoarseCells))
+    if (round == corrections || !scratch_.drawing.draw(model, pose, camera, blob.box, kCoarseCells))
       return pose;
     const DrawnArea drawn = drawn_area(scratch_.drawing);
     if (drawn.area_px <= 0) return pose;

@@ -27,9 +27,9 @@ class PoseFinder {
  public:
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
-  // Lays the model over the blob: its centre on the blob's, as large as it.
+  // Lays the model over the blob: its centre on the blob's, as large as it; corrected so often.
   RigidPose start(const ClassIndex& index, const ViewStart& view, const CameraModel& camera,
-                  const Blob& blob);
+                  const Blob& blob, int corrections = 2);
 
   // The pose refined in `rounds`, 0: as it is, and how far it explains the blob.
   VerifiedPose verify(const ClassIndex& index, const RigidPose& start, const LightGain& light,

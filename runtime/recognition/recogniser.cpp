@@ -12,17 +12,17 @@ namespace {
 // Classes that go on to the fit of their key views.
 constexpr std::size_t kMaxCandidates = 512;
 
-// A speck of one colour looks like many things, and what reaches from border to border is what
-// stands behind.
-bool says_little(const Blob& blob, std::size_t contours, const Frame& frame) {
+// What reaches from border to border both ways is what stands behind.
+bool fills_frame(const Box& box, const Frame& frame) {
+  constexpr int kNear_px = 2;
+  return box.x <= kNear_px && box.x + box.width >= frame.width_px - kNear_px && box.y <= kNear_px &&
+         box.y + box.height >= frame.height_px - kNear_px;
+}
+
+// A speck of one colour looks like many things.
+bool is_speck(const Blob& blob, std::size_t contours) {
   constexpr float kLeastArea_px = 1000;
-  const auto spans = [](int begin, int length, int all) {
-    constexpr int kNear_px = 2;
-    return begin <= kNear_px && begin + length >= all - kNear_px;
-  };
-  return (contours < 2 && blob.area_px < kLeastArea_px) ||
-         (spans(blob.box.x, blob.box.width, frame.width_px) &&
-          spans(blob.box.y, blob.box.height, frame.height_px));
+  return contours < 2 && blob.area_px < kLeastArea_px;
 }
 
 // The blob that the box's middle lies in or is nearest to.
@@ -119,6 +119,8 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
     features[count++] = feature_of(contour, blob);
   }
   const auto seen = std::span<const ContourFeature>(features).first(count);
+  if (looks_anywhere() && fills_frame(blob.box, frame))
+    return {blob.box, blob_place, static_cast<int>(count), {Verdict::unknown}, {}};
   std::size_t candidates = shortlist(seen);
   if (parameters_.ranking == RecogniserParameters::Ranking::views) {
     candidates = view_search_.run(seen, candidates_, candidates);
@@ -143,8 +145,7 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   const auto hypotheses = hypotheses_.subspan(first, hypothesis_count_ - first);
   SeenObject object{blob.box, blob_place, static_cast<int>(count),
                     judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses};
-  if (object.judgement.verdict == Verdict::match && looks_anywhere() &&
-      says_little(blob, count, frame))
+  if (object.judgement.verdict == Verdict::match && looks_anywhere() && is_speck(blob, count))
     object.judgement.verdict = Verdict::unknown;
   return object;
 }
@@ -236,7 +237,7 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
                     cameras_,           frame.width_px,     frame.height_px};
   std::size_t end = objects;
   for (const SceneObject& found : scene_search_.run(scene))
-    if (is_there(found.agreement)) end = add_found(found, end);
+    if (found.agreement.margin >= 0) end = add_found(found, end);
   // A blob is what was found in it.
   const auto others = objects_.subspan(objects, end - objects);
   const auto is_explained = [&](const SeenObject& object) {

@@ -35,6 +35,20 @@ void each_pair(const ClassIndex& index, std::span<const ColourClass> colours, Se
   }
 }
 
+template <typename See>
+void each_region(const ClassIndex& index, std::span<const ColourClass> colours, See see) {
+  for (std::size_t v = 0; v < index.key_views.size(); ++v) {
+    const IndexRange range = index.key_views[v].contours;
+    for (std::uint32_t k = range.first; k < range.first + range.count; ++k)
+      if (colours[k] != kBackgroundClass && index.key_contours[k].feature.area >= kLeastArea)
+        see(static_cast<std::uint32_t>(v), k);
+  }
+}
+
+void add_up(std::span<std::uint32_t> counts) {
+  for (std::size_t k = 1; k < counts.size(); ++k) counts[k] += counts[k - 1];
+}
+
 }  // namespace
 
 ColourClass nearest_colour(const ObjectModel& model, const std::array<float, 3>& share) {
@@ -66,8 +80,13 @@ void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {
   colours_ = arena.take<ColourClass>(colours.size());
   begins_ = arena.take<std::uint32_t>(colour_count_ * colour_count_ + 1);
   pairs_ = arena.take<RegionPair>(count);
+  std::size_t region_count = 0;
+  each_region(index, colours, [&](std::uint32_t, std::uint32_t) { ++region_count; });
+  region_begins_ = arena.take<std::uint32_t>(colour_count_ + 1);
+  regions_ = arena.take<KeyRegion>(region_count);
   if (colours_.size() != colours.size() || pairs_.size() != count || begins_.empty()) return;
   std::copy(colours.begin(), colours.end(), colours_.begin());
+  sort_regions(index);
   const auto bucket_of = [&](std::size_t view, std::size_t i, std::size_t j) {
     const std::size_t first = index.key_views[view].contours.first;
     return bucket(colours[first + i], colours[first + j]);
@@ -75,7 +94,7 @@ void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {
   each_pair(index, colours, [&](std::size_t v, std::size_t i, std::size_t j) {
     ++begins_[bucket_of(v, i, j) + 1];
   });
-  for (std::size_t b = 1; b < begins_.size(); ++b) begins_[b] += begins_[b - 1];
+  add_up(begins_);
   std::vector<std::uint32_t> next(begins_.begin(), begins_.end());
   each_pair(index, colours, [&](std::size_t v, std::size_t i, std::size_t j) {
     const auto contours = ClassIndex::part(index.key_contours, index.key_views[v].contours);
@@ -85,6 +104,21 @@ void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {
         static_cast<std::uint32_t>(v), static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
         pair_size(a.area, dx * dx + dy * dy), pair_size(b.area, dx * dx + dy * dy)};
   });
+}
+
+void RegionPairs::sort_regions(const ClassIndex& index) {
+  each_region(index, colours_,
+              [&](std::uint32_t, std::uint32_t k) { ++region_begins_[colours_[k]]; });
+  add_up(region_begins_);
+  std::vector<std::uint32_t> next(region_begins_.begin(), region_begins_.end());
+  each_region(index, colours_, [&](std::uint32_t view, std::uint32_t k) {
+    regions_[next[colours_[k] - 1U]++] = {view, k};
+  });
+}
+
+std::span<const KeyRegion> RegionPairs::of(ColourClass colour) const {
+  const std::uint32_t first = region_begins_[colour - 1U];
+  return std::span<const KeyRegion>(regions_).subspan(first, region_begins_[colour] - first);
 }
 
 std::span<const RegionPair> RegionPairs::of(ColourClass first, ColourClass second) const {

@@ -24,18 +24,18 @@ ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
   return kBackgroundClass;
 }
 
-}  // namespace
-
-bool is_there(const SceneAgreement& agreement) {
-  // By the number of colours, from one on: two side by side are found on many things, four as they
-  // should be on none; what hides a part of the object takes some of the rest.
-  constexpr std::array<float, 4> kLeast{2, 0.93F, 0.66F, 0.58F};
+// By the number of colours, from one on: two side by side are found on many things, four as they
+// should be on none; what hides a part of the object takes some of the rest.
+float margin_of(const SceneAgreement& agreement) {
+  constexpr std::array<float, 4> kLeast{1.5F, 0.93F, 0.66F, 0.58F};
   // Half of the object must be in the picture.
   constexpr float kLeastInside = 0.45F;
-  if (agreement.colours < 1 || agreement.inside < kLeastInside) return false;
+  if (agreement.colours < 1 || agreement.inside < kLeastInside) return -1;
   const auto place = std::min<std::size_t>(static_cast<std::size_t>(agreement.colours), 4) - 1;
-  return agreement.score >= kLeast[place];
+  return agreement.score - kLeast[place];
 }
+
+}  // namespace
 
 SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& camera,
                                const SeenColours& seen, int width_px, int height_px) {
@@ -59,8 +59,9 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
         continue;
       const ColourClass wanted = cell.covered ? cell.colour : beside;
       const std::uint16_t label = seen.label_at(x, y);
-      const ColourClass of_region = seen.of_label(label), of_pixel = seen.at_pixel(x, y);
-      const bool is_seen = of_region == wanted || of_pixel == wanted;
+      const ColourClass of_region = seen.of_label(label);
+      const ColourClass of_pixel = of_region == wanted ? wanted : seen.at_pixel(x, y);
+      const bool is_seen = of_pixel == wanted;
       if (!cell.covered) {
         ++rim;
         leak += is_seen ? 1 : 0;
@@ -95,6 +96,7 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
   agreement.colours =
       static_cast<int>(std::count_if(cells_of_colour.begin(), cells_of_colour.end(),
                                      [](int cells) { return cells >= kLeastCells; }));
+  agreement.margin = margin_of(agreement);
   const int x = static_cast<int>(left_px), y = static_cast<int>(top_px);
   agreement.box = {x, y, static_cast<int>(right_px) + 1 - x, static_cast<int>(bottom_px) + 1 - y};
   return agreement;

@@ -18,16 +18,20 @@ constexpr float kFarthestShare = 0.1F;
 constexpr float kFarthest = 3;
 // Differences of pair_size that a step between key views and a rough outline make.
 constexpr float kSizeReach = 0.45F;
+// A region alone: its axis must be clear, and its moments the key contour's.
+constexpr std::size_t kMostAlone = 12;
+constexpr float kLeastAlone = 0.6F, kLeastLength = 0.15F, kSpreadReach = 0.08F, kLeastCos = 1e-3F,
+                kThirdReach = 0.008F;
 // Two starts are one where they differ by less.
 constexpr float kSamePlace = 0.2F, kSameTurn_cos = 0.96F, kSameView_cos = 0.97F;
 // Of the picture, so large that it says something.
 constexpr float kEnoughArea_px = 1500;
-constexpr int kStartCells = 24, kFinalCells = 48, kRounds = 7;
+constexpr int kStartCells = 24, kFinalCells = 48, kRounds = 7, kCorrections = 2;
 constexpr std::size_t kMostRefined = 24;
 constexpr std::ptrdiff_t kMostInPlace = 3;
 // A drawing that shows less than this of what it should is not worth refining.
 constexpr float kHopeful = 0.35F;
-constexpr float kPlaceShare = 0.6F;
+constexpr float kPlaceShare = 0.4F;
 
 float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   float sum = 0;
@@ -142,10 +146,10 @@ float SceneSearch::explained(const Scene& scene, std::size_t index_place,
 }
 
 // Among the best, each once.
-void SceneSearch::keep(const ClassIndex& index, const Start& start) {
+void SceneSearch::keep(const ClassIndex& index, const Start& start, Starts& starts) {
   std::size_t worst = 0;
-  for (std::size_t k = 0; k < start_count_; ++k) {
-    Start& other = starts_[k];
+  for (std::size_t k = 0; k < starts.count; ++k) {
+    Start& other = starts.list[k];
     const float dx = other.centre_px.x - start.centre_px.x,
                 dy = other.centre_px.y - start.centre_px.y;
     const float reach = kSamePlace * start.scale_px;
@@ -158,12 +162,12 @@ void SceneSearch::keep(const ClassIndex& index, const Start& start) {
         return;
       }
     }
-    if (other.score < starts_[worst].score) worst = k;
+    if (other.score < starts.list[worst].score) worst = k;
   }
-  if (start_count_ < kMostStarts)
-    starts_[start_count_++] = start;
-  else if (start.score > starts_[worst].score)
-    starts_[worst] = start;
+  if (starts.count < starts.most)
+    starts.list[starts.count++] = start;
+  else if (start.score > starts.list[worst].score)
+    starts.list[worst] = start;
 }
 
 void SceneSearch::try_pair(const Scene& scene, std::size_t index_place, const SeenRegion& first,
@@ -194,13 +198,58 @@ void SceneSearch::try_pair(const Scene& scene, std::size_t index_place, const Se
         first.centre_px.x - start.scale_px * (start.cos * a.position.x - start.sin * a.position.y),
         first.centre_px.y - start.scale_px * (start.sin * a.position.x + start.cos * a.position.y)};
     start.score = explained(scene, index_place, start);
-    keep(index, start);
+    keep(index, start, of_pairs_);
+  }
+}
+
+// One region alone says where the object is by its area, its middle and its main axis; which way
+// round, by its third moments.
+void SceneSearch::try_alone(const Scene& scene, std::size_t index_place, const SeenRegion& region,
+                            ColourClass colour) {
+  const ClassIndex& index = indexes_[index_place];
+  const Moments& m = region.moments;
+  const float spread = m.xx + m.yy, along = m.xx - m.yy, across = 2 * m.xy;
+  const float length = std::sqrt(along * along + across * across);
+  if (length < kLeastLength * spread) return;
+  for (const KeyRegion& key : pairs_[index_place].of(colour)) {
+    const ContourFeature& feature = index.key_contours[key.contour].feature;
+    const Moments& k = feature.moments;
+    const float key_spread = k.xx + k.yy, key_along = k.xx - k.yy, key_across = 2 * k.xy;
+    if (std::abs(key_spread - spread) > kSpreadReach * spread) continue;
+    const float key_length = std::sqrt(key_along * key_along + key_across * key_across);
+    if (std::abs(key_length - length) > kSpreadReach * spread || key_length <= 0) continue;
+    // Of twice the turn, then of the turn.
+    const float double_cos = (along * key_along + across * key_across) / (length * key_length),
+                double_sin = (across * key_along - along * key_across) / (length * key_length);
+    const float cos = std::sqrt(std::max(0.0F, (1 + double_cos) / 2));
+    const float sin = cos > kLeastCos ? double_sin / (2 * cos) : 1;
+    for (const float way : {1.0F, -1.0F}) {
+      Start start;
+      start.key_view = key.key_view;
+      start.cos = way * cos;
+      start.sin = way * sin;
+      const Moments turned_key = turned(k, start.cos, start.sin);
+      const float xxx = turned_key.xxx - m.xxx, xxy = turned_key.xxy - m.xxy,
+                  xyy = turned_key.xyy - m.xyy, yyy = turned_key.yyy - m.yyy;
+      if (xxx * xxx + 3 * xxy * xxy + 3 * xyy * xyy + yyy * yyy > kThirdReach * kThirdReach)
+        continue;
+      start.scale_px = std::sqrt(region.area_px / feature.area);
+      const Point2 p = feature.position;
+      start.centre_px = {region.centre_px.x - start.scale_px * (start.cos * p.x - start.sin * p.y),
+                         region.centre_px.y - start.scale_px * (start.sin * p.x + start.cos * p.y)};
+      start.score = explained(scene, index_place, start);
+      if (start.score >= kLeastAlone) keep(index, start, of_regions_);
+    }
   }
 }
 
 void SceneSearch::pair_up(const Scene& scene, std::size_t index_place) {
-  start_count_ = 0;
+  of_pairs_.count = of_regions_.count = 0;
+  of_regions_.most = kMostAlone;
   const auto regions = std::span<const SeenRegion>(seen_regions_).first(region_count_);
+  for (const SeenRegion& region : regions)
+    for (std::uint64_t c = region.colours; c != 0; c &= c - 1)
+      try_alone(scene, index_place, region, static_cast<ColourClass>(std::countr_zero(c) + 1));
   for (std::size_t i = 0; i < regions.size(); ++i)
     for (std::size_t j = 0; j < regions.size(); ++j) {
       const SeenRegion &first = regions[i], &second = regions[j];
@@ -224,7 +273,7 @@ void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
   const ClassIndex& index = indexes_[index_place];
   const CameraModel& camera = scene.cameras[index_place];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
-  for (const Start& start : std::span<const Start>(starts_).first(start_count_)) {
+  const auto draw = [&](const Start& start) {
     if (drawn_count_ == kMostDrawn) return;
     const KeyView& view = index.key_views[start.key_view];
     Blob blob;
@@ -238,15 +287,18 @@ void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
     Drawn drawn;
     drawn.index = static_cast<std::uint16_t>(index_place);
     drawn.start = start;
-    drawn.pose = finder_.start(index, {view.direction, view.direction, roll_rad, {}}, camera, blob);
+    drawn.pose = finder_.start(index, {view.direction, view.direction, roll_rad, {}}, camera, blob,
+                               kCorrections);
     const Place place = place_of(index.model, drawn.pose, camera);
     if (!scratch_.drawing.draw(index.model, drawn.pose, camera, box_around(place), kStartCells))
-      continue;
+      return;
     const SceneAgreement agreement =
         scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
-    drawn.score = agreement.inside < 0.5F ? 0 : agreement.score;
-    if (drawn.score >= kHopeful) drawn_[drawn_count_++] = drawn;
-  }
+    drawn.margin = agreement.margin;
+    if (agreement.score >= kHopeful) drawn_[drawn_count_++] = drawn;
+  };
+  for (const Start& start : of_pairs_.all()) draw(start);
+  for (const Start& start : of_regions_.all()) draw(start);
 }
 
 bool SceneSearch::is_taken(const Scene& scene, const Drawn& drawn) const {
@@ -265,7 +317,7 @@ void SceneSearch::refine(const Scene& scene, const Drawn& drawn) {
   const CameraModel& camera = scene.cameras[drawn.index];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
   const Place place = place_of(index.model, drawn.pose, camera);
-  constexpr float kLeastReach_px = 5, kReach = 0.14F;
+  constexpr float kLeastReach_px = 5, kReach = 0.2F;
   SceneObject& object = found_[found_count_];
   object = {};
   object.index = drawn.index;
@@ -294,7 +346,7 @@ std::span<const SceneObject> SceneSearch::run(const Scene& scene) {
   }
   const auto drawn = std::span(drawn_).first(drawn_count_);
   std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
-    if (a.score != b.score) return a.score > b.score;
+    if (a.margin != b.margin) return a.margin > b.margin;
     if (a.index != b.index) return a.index < b.index;
     return a.start.key_view < b.start.key_view;
   });
@@ -304,7 +356,7 @@ std::span<const SceneObject> SceneSearch::run(const Scene& scene) {
   }
   const auto found = std::span(found_).first(found_count_);
   std::sort(found.begin(), found.end(), [](const SceneObject& a, const SceneObject& b) {
-    if (a.agreement.score != b.agreement.score) return a.agreement.score > b.agreement.score;
+    if (a.agreement.margin != b.agreement.margin) return a.agreement.margin > b.agreement.margin;
     if (a.index != b.index) return a.index < b.index;
     return a.key_view < b.key_view;
   });

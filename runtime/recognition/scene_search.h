@@ -57,19 +57,27 @@ class SceneSearch {
     Point2 centre_px;
     float scale_px = 0, cos = 1, sin = 0;
   };
+  struct Starts {
+    std::array<Start, kMostStarts> list{};
+    std::size_t count = 0, most = kMostStarts;
+
+    std::span<const Start> all() const { return std::span(list).first(count); }
+  };
   // The same as a pose that was drawn.
   struct Drawn {
     std::uint16_t index = 0;
     Start start;
     RigidPose pose;
-    float score = 0;
+    float margin = 0;  // see SceneAgreement
   };
 
   void see_regions(const Scene& scene, const ClassIndex& index);
   void pair_up(const Scene& scene, std::size_t index_place);
   void try_pair(const Scene& scene, std::size_t index_place, const SeenRegion& first,
                 const SeenRegion& second, ColourClass first_colour, ColourClass second_colour);
-  void keep(const ClassIndex& index, const Start& start);
+  void try_alone(const Scene& scene, std::size_t index_place, const SeenRegion& region,
+                 ColourClass colour);
+  static void keep(const ClassIndex& index, const Start& start, Starts& starts);
   float explained(const Scene& scene, std::size_t index_place, const Start& start) const;
   void draw_starts(const Scene& scene, std::size_t index_place);
   bool is_taken(const Scene& scene, const Drawn& drawn) const;
@@ -80,8 +88,7 @@ class SceneSearch {
   std::array<SeenRegion, kMostRegions> seen_regions_{};
   std::size_t region_count_ = 0;
   std::array<std::uint64_t, kMaxRegions + 1> colours_of_label_{};
-  std::array<Start, kMostStarts> starts_{};
-  std::size_t start_count_ = 0;
+  Starts of_pairs_, of_regions_;
   std::array<Drawn, kMostDrawn> drawn_{};
   std::size_t drawn_count_ = 0;
   std::array<SceneObject, kMostObjects> found_{};
