@@ -52,6 +52,10 @@ void ModelDrawing::place(const Box& box, int most_cells) {
   right = std::min(right, most_x);
   top = std::max(top, least_y);
   bottom = std::min(bottom, most_y);
+  place(left, top, right, bottom, most_cells);
+}
+
+void ModelDrawing::place(float left, float top, float right, float bottom, int most_cells) {
   most_cells = std::clamp(most_cells, 1, kMostCells);
   const auto most = static_cast<float>(most_cells);
   cell_px_ = std::max({1.0F, (right - left) / most, (bottom - top) / most});
@@ -65,11 +69,41 @@ bool ModelDrawing::draw(const ObjectModel& model, const RigidPose& pose, const C
                         const Box& box, int most_cells) {
   if (!project(model, pose, camera)) return false;
   place(box, most_cells);
+  fill_all(model);
+  return true;
+}
+
+bool ModelDrawing::draw_alone(const ObjectModel& model, const RigidPose& pose,
+                              const CameraModel& camera, int width_px, int height_px,
+                              int most_cells) {
+  if (!project(model, pose, camera) || points().empty()) return false;
+  float left = points()[0].x, right = left, top = points()[0].y, bottom = top;
+  for (const StraightPoint& p : points()) {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    top = std::min(top, p.y);
+    bottom = std::max(bottom, p.y);
+  }
+  constexpr int kMargin = 2;
+  const auto width = static_cast<float>(width_px), height = static_cast<float>(height_px);
+  left = std::max(left, -width);
+  top = std::max(top, -height);
+  right = std::min(right, 2 * width);
+  bottom = std::min(bottom, 2 * height);
+  if (!(left < right && top < bottom)) return false;
+  const float margin_px =
+      kMargin * std::max({1.0F, (right - left) / static_cast<float>(most_cells - 2 * kMargin),
+                          (bottom - top) / static_cast<float>(most_cells - 2 * kMargin)});
+  place(left - margin_px, top - margin_px, right + margin_px, bottom + margin_px, most_cells);
+  fill_all(model);
+  return true;
+}
+
+void ModelDrawing::fill_all(const ObjectModel& model) {
   const auto cells = static_cast<std::size_t>(width_ * height_);
   std::fill_n(nearness_.begin(), cells, 0.0F);
   std::fill_n(colours_.begin(), cells, kBackgroundClass);
   for (const ModelTriangle& triangle : model.triangles) fill(triangle);
-  return true;
 }
 
 // Row by row between the borders; 1 / depth is linear in the picture.

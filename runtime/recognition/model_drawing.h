@@ -29,6 +29,11 @@ class ModelDrawing {
   bool draw(const ObjectModel& model, const RigidPose& pose, const CameraModel& camera,
             const Box& box, int most_cells = kMostCells);
 
+  // The same without a box: the object, with two cells around it, as far as it lies near the
+  // picture.
+  bool draw_alone(const ObjectModel& model, const RigidPose& pose, const CameraModel& camera,
+                  int width_px, int height_px, int most_cells);
+
   std::span<const StraightPoint> points() const { return points_.first(point_count_); }
   int width() const { return width_; }
   int height() const { return height_; }
@@ -53,6 +58,8 @@ class ModelDrawing {
  private:
   bool project(const ObjectModel& model, const RigidPose& pose, const CameraModel& camera);
   void place(const Box& box, int most_cells);
+  void place(float left, float top, float right, float bottom, int most_cells);
+  void fill_all(const ObjectModel& model);
   void fill(const ModelTriangle& triangle);
 
   std::span<StraightPoint> points_;

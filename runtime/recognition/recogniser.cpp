@@ -19,10 +19,13 @@ bool fills_frame(const Box& box, const Frame& frame) {
          box.y + box.height >= frame.height_px - kNear_px;
 }
 
-// A speck of one colour looks like many things.
-bool is_speck(const Blob& blob, std::size_t contours) {
-  constexpr float kLeastArea_px = 1000;
-  return contours < 2 && blob.area_px < kLeastArea_px;
+// A speck of one colour looks like many things, and so does any patch of one beside something that
+// takes up much of the picture.
+bool says_little(const Blob& blob, std::size_t contours, const Blob& largest, const Frame& frame) {
+  constexpr float kLeastArea_px = 1000, kMuch = 0.2F;
+  const float frame_px = static_cast<float>(frame.width_px) * static_cast<float>(frame.height_px);
+  return contours < 2 && (blob.area_px < kLeastArea_px ||
+                          (&blob != &largest && largest.area_px > kMuch * frame_px));
 }
 
 // The blob that the box's middle lies in or is nearest to.
@@ -145,7 +148,8 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   const auto hypotheses = hypotheses_.subspan(first, hypothesis_count_ - first);
   SeenObject object{blob.box, blob_place, static_cast<int>(count),
                     judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses};
-  if (object.judgement.verdict == Verdict::match && looks_anywhere() && is_speck(blob, count))
+  if (object.judgement.verdict == Verdict::match && looks_anywhere() &&
+      says_little(blob, count, graph.blobs.front(), frame))
     object.judgement.verdict = Verdict::unknown;
   return object;
 }

@@ -26,9 +26,11 @@ constexpr float kLeastAlone = 0.6F, kLeastLength = 0.15F, kSpreadReach = 0.08F, 
 constexpr float kSamePlace = 0.2F, kSameTurn_cos = 0.96F, kSameView_cos = 0.97F;
 // Of the picture, so large that it says something.
 constexpr float kEnoughArea_px = 1500;
-constexpr int kStartCells = 24, kFinalCells = 48, kRounds = 7, kCorrections = 2;
+constexpr int kStartCells = 20, kFinalCells = 40, kRounds = 7, kCorrections = 2;
 constexpr std::size_t kMostRefined = 24;
 constexpr std::ptrdiff_t kMostInPlace = 3;
+// A start that explains less of its key view is not drawn.
+constexpr float kWorth = 0.25F;
 // A drawing that shows less than this of what it should is not worth refining.
 constexpr float kHopeful = 0.35F;
 constexpr float kPlaceShare = 0.4F;
@@ -274,7 +276,7 @@ void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
   const CameraModel& camera = scene.cameras[index_place];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
   const auto draw = [&](const Start& start) {
-    if (drawn_count_ == kMostDrawn) return;
+    if (drawn_count_ == kMostDrawn || start.score < kWorth) return;
     const KeyView& view = index.key_views[start.key_view];
     Blob blob;
     blob.centre_px = start.centre_px;
@@ -289,8 +291,8 @@ void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
     drawn.start = start;
     drawn.pose = finder_.start(index, {view.direction, view.direction, roll_rad, {}}, camera, blob,
                                kCorrections);
-    const Place place = place_of(index.model, drawn.pose, camera);
-    if (!scratch_.drawing.draw(index.model, drawn.pose, camera, box_around(place), kStartCells))
+    if (!scratch_.drawing.draw_alone(index.model, drawn.pose, camera, scene.width_px,
+                                     scene.height_px, kStartCells))
       return;
     const SceneAgreement agreement =
         scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
@@ -325,9 +327,8 @@ void SceneSearch::refine(const Scene& scene, const Drawn& drawn) {
   object.refined =
       refine_pose(index.model, camera, seen_colours_, box_around(place), drawn.pose, kRounds,
                   std::max(kLeastReach_px, kReach * place.radius_px), scratch_, Behind::anything);
-  const Place there = place_of(index.model, object.refined.pose, camera);
-  if (!scratch_.drawing.draw(index.model, object.refined.pose, camera, box_around(there),
-                             kFinalCells))
+  if (!scratch_.drawing.draw_alone(index.model, object.refined.pose, camera, scene.width_px,
+                                   scene.height_px, kFinalCells))
     return;
   object.agreement =
       scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
