@@ -237,8 +237,8 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
                   [](bool taken) { return taken; }))
     return objects;
   const auto start = std::chrono::steady_clock::now();
-  const Scene scene{&vision_.colours(), &vision_.regions(), std::span(taken_).first(objects),
-                    cameras_,           frame.width_px,     frame.height_px};
+  const SeenScene scene{&vision_.colours(), &vision_.regions(), std::span(taken_).first(objects),
+                        cameras_,           frame.width_px,     frame.height_px};
   std::size_t end = objects;
   for (const SceneObject& found : scene_search_.run(scene))
     if (found.agreement.margin >= 0) end = add_found(found, end);

@@ -12,7 +12,7 @@ struct SceneAgreement {
   float score = 0;
   float inside = 0;  // the share of the drawn cells that lies within the picture
   int colours = 0;   // of the object that are seen
-  float margin = 0;  // of the score over what so many colours need: the object is there from 0 on
+  float margin = -1;  // of the score over what so many colours need: the object is there from 0 on
   Box box;           // what is drawn, within the picture
 };
 

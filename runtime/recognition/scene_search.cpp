@@ -96,7 +96,7 @@ void SceneSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
   scratch_.drawing.prepare(arena, vertices);
 }
 
-void SceneSearch::see_regions(const Scene& scene, const ClassIndex& index) {
+void SceneSearch::see_regions(const SeenScene& scene, const ClassIndex& index) {
   const auto regions = scene.regions->regions;
   const float most_px =
       kMostAreaShare * static_cast<float>(scene.width_px) * static_cast<float>(scene.height_px);
@@ -122,7 +122,7 @@ void SceneSearch::see_regions(const Scene& scene, const ClassIndex& index) {
 }
 
 // The share of the key view's area whose contours find their colour where they should be.
-float SceneSearch::explained(const Scene& scene, std::size_t index_place,
+float SceneSearch::explained(const SeenScene& scene, std::size_t index_place,
                              const Start& start) const {
   const ClassIndex& index = indexes_[index_place];
   const IndexRange range = index.key_views[start.key_view].contours;
@@ -172,7 +172,7 @@ void SceneSearch::keep(const ClassIndex& index, const Start& start, Starts& star
     starts.list[worst] = start;
 }
 
-void SceneSearch::try_pair(const Scene& scene, std::size_t index_place, const SeenRegion& first,
+void SceneSearch::try_pair(const SeenScene& scene, std::size_t index_place, const SeenRegion& first,
                            const SeenRegion& second, ColourClass first_colour,
                            ColourClass second_colour) {
   const ClassIndex& index = indexes_[index_place];
@@ -206,8 +206,8 @@ void SceneSearch::try_pair(const Scene& scene, std::size_t index_place, const Se
 
 // One region alone says where the object is by its area, its middle and its main axis; which way
 // round, by its third moments.
-void SceneSearch::try_alone(const Scene& scene, std::size_t index_place, const SeenRegion& region,
-                            ColourClass colour) {
+void SceneSearch::try_alone(const SeenScene& scene, std::size_t index_place,
+                            const SeenRegion& region, ColourClass colour) {
   const ClassIndex& index = indexes_[index_place];
   const Moments& m = region.moments;
   const float spread = m.xx + m.yy, along = m.xx - m.yy, across = 2 * m.xy;
@@ -245,7 +245,7 @@ void SceneSearch::try_alone(const Scene& scene, std::size_t index_place, const S
   }
 }
 
-void SceneSearch::pair_up(const Scene& scene, std::size_t index_place) {
+void SceneSearch::pair_up(const SeenScene& scene, std::size_t index_place) {
   of_pairs_.count = of_regions_.count = 0;
   of_regions_.most = kMostAlone;
   const auto regions = std::span<const SeenRegion>(seen_regions_).first(region_count_);
@@ -271,7 +271,7 @@ void SceneSearch::pair_up(const Scene& scene, std::size_t index_place) {
     }
 }
 
-void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
+void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
   const ClassIndex& index = indexes_[index_place];
   const CameraModel& camera = scene.cameras[index_place];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
@@ -303,7 +303,7 @@ void SceneSearch::draw_starts(const Scene& scene, std::size_t index_place) {
   for (const Start& start : of_regions_.all()) draw(start);
 }
 
-bool SceneSearch::is_taken(const Scene& scene, const Drawn& drawn) const {
+bool SceneSearch::is_taken(const SeenScene& scene, const Drawn& drawn) const {
   const Place place = place_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]);
   const auto is_there = [&](const SceneObject& other) {
     return share_place(place, place_of(indexes_[other.index].model, other.refined.pose,
@@ -314,7 +314,7 @@ bool SceneSearch::is_taken(const Scene& scene, const Drawn& drawn) const {
   return count >= kMostInPlace;
 }
 
-void SceneSearch::refine(const Scene& scene, const Drawn& drawn) {
+void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
   const ClassIndex& index = indexes_[drawn.index];
   const CameraModel& camera = scene.cameras[drawn.index];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
@@ -337,7 +337,7 @@ void SceneSearch::refine(const Scene& scene, const Drawn& drawn) {
   ++found_count_;
 }
 
-std::span<const SceneObject> SceneSearch::run(const Scene& scene) {
+std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   drawn_count_ = found_count_ = 0;
   for (std::size_t i = 0; i < indexes_.size(); ++i) {
     if (indexes_[i].model.empty()) continue;

@@ -16,7 +16,7 @@
 namespace aspect {
 
 // A frame's regions, those of `taken` blobs left out.
-struct Scene {
+struct SeenScene {
   const Planes* colours = nullptr;
   const RegionMap* regions = nullptr;
   std::span<const bool> taken;           // by blob
@@ -39,7 +39,7 @@ class SceneSearch {
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
   // Best first; no two of them in one place.
-  std::span<const SceneObject> run(const Scene& scene);
+  std::span<const SceneObject> run(const SeenScene& scene);
 
  private:
   static constexpr std::size_t kMostRegions = 160, kMostStarts = 48, kMostDrawn = 256;
@@ -71,17 +71,17 @@ class SceneSearch {
     float margin = 0;  // see SceneAgreement
   };
 
-  void see_regions(const Scene& scene, const ClassIndex& index);
-  void pair_up(const Scene& scene, std::size_t index_place);
-  void try_pair(const Scene& scene, std::size_t index_place, const SeenRegion& first,
+  void see_regions(const SeenScene& scene, const ClassIndex& index);
+  void pair_up(const SeenScene& scene, std::size_t index_place);
+  void try_pair(const SeenScene& scene, std::size_t index_place, const SeenRegion& first,
                 const SeenRegion& second, ColourClass first_colour, ColourClass second_colour);
-  void try_alone(const Scene& scene, std::size_t index_place, const SeenRegion& region,
+  void try_alone(const SeenScene& scene, std::size_t index_place, const SeenRegion& region,
                  ColourClass colour);
   static void keep(const ClassIndex& index, const Start& start, Starts& starts);
-  float explained(const Scene& scene, std::size_t index_place, const Start& start) const;
-  void draw_starts(const Scene& scene, std::size_t index_place);
-  bool is_taken(const Scene& scene, const Drawn& drawn) const;
-  void refine(const Scene& scene, const Drawn& drawn);
+  float explained(const SeenScene& scene, std::size_t index_place, const Start& start) const;
+  void draw_starts(const SeenScene& scene, std::size_t index_place);
+  bool is_taken(const SeenScene& scene, const Drawn& drawn) const;
+  void refine(const SeenScene& scene, const Drawn& drawn);
 
   std::span<const ClassIndex> indexes_;
   std::span<RegionPairs> pairs_;
