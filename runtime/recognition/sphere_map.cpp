@@ -276,8 +276,8 @@ std::int32_t SphereMap::class_at(const Vector3d& direction) const noexcept {
 struct SphereMap::Search {
   const SphereMap& map;
   Vector3d direction;
-  double corner = -2, centre = -2;  // cosines
-  double distance = 3;              // of the corner
+  double corner = -2, centre = -2;                            // cosines
+  double distance = std::numeric_limits<double>::infinity();  // of the corner
   std::int32_t class_id = kNone;
 
   struct Branch {
@@ -303,13 +303,16 @@ struct SphereMap::Search {
   }
 
   void take(const Branch& branch) {
-    double nearest = -2;
-    for (const Vector3d& c : branch.corners) nearest = std::max(nearest, dot(c, direction));
+    double nearest = -2, nearest_distance = distance;
+    for (const Vector3d& c : branch.corners) {
+      nearest = std::max(nearest, dot(c, direction));
+      nearest_distance = std::min(nearest_distance, norm(direction - c));
+    }
     const double middle = dot(branch.middle, direction);
     if (nearest < corner || (nearest == corner && middle <= centre)) return;
     corner = nearest;
     centre = middle;
-    distance = std::sqrt(std::max(0.0, 2 - 2 * nearest));
+    distance = nearest_distance;
     class_id = static_cast<std::int32_t>(map.patches_[branch.patch].number) - 1;
   }
 

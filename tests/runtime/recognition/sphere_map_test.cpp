@@ -163,6 +163,20 @@ TEST_CASE("a tree that goes on for ever, and an empty map, are refused in one li
   CHECK_FALSE(SphereMap::decode({}, 3).ok());
 }
 
+TEST_CASE("a map of more patches than any compiler writes is refused") {
+  const auto uniform = [](int levels) {
+    MapBits bits;
+    const auto put = [&](const auto& self, int level) -> void {
+      bits.put(level < levels ? 1 : 0b01, level < levels ? 1 : 2);
+      for (int child = 0; child < 4 && level < levels; ++child) self(self, level + 1);
+    };
+    for (int root = 0; root < 20; ++root) put(put, 0);
+    return std::move(bits.bytes);
+  };
+  CHECK(SphereMap::decode(uniform(6), kClasses).value().leaves().size() == 20U << 12U);
+  CHECK_FALSE(SphereMap::decode(uniform(7), kClasses).ok());
+}
+
 TEST_CASE("a map that nobody decoded knows no class") {
   const SphereMap map;
   CHECK(map.class_at({0, 0, 1}) == SphereMap::kNone);
