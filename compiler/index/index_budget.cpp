@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/index/sphere_map.h"
+#include "compiler/index/sphere_map_writer.h"
 
 namespace aspect {
 namespace {

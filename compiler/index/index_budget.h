@@ -13,7 +13,7 @@ namespace aspect {
 struct IndexSelection {
   std::size_t class_count = 0;      // the first of the contents' classes
   double key_view_spacing_deg = 0;  // least angle between key views of a class
-  std::vector<std::uint8_t> map;    // of the viewing sphere: see sphere_map.h
+  std::vector<std::uint8_t> map;    // of the viewing sphere: see sphere_map_writer.h
 };
 
 // Key views are taken farther apart until all classes fit; where one a class is still too much, the

@@ -169,6 +169,14 @@ Problem colour_key_views(ClassIndex& index) {
   return {};
 }
 
+Problem unpack_sphere_map(const fb::ClassIndex& root, ClassIndex& index) {
+  const auto& bytes = *root.sphere_map();
+  Result<SphereMap> map = SphereMap::decode({bytes.data(), bytes.size()}, index.classes.size());
+  if (!map) return {map.error()};
+  index.sphere_map = std::move(map).value();
+  return {};
+}
+
 // The ranges within which segmentation makes sense of its parameters.
 Problem unpack_sensor(const fb::ClassIndex& root, VisionParameters& vision) {
   const fb::Segmentation& s = *root.segmentation();
@@ -307,7 +315,6 @@ Problem unpack_settings(const fb::ClassIndex& root, ClassIndex& index) {
   index.threshold = root.provenance()->threshold();
   index.cluster_threshold = root.provenance()->cluster_threshold();
   index.scoring = fb::EnumNameScoring(root.scoring());
-  index.sphere_map.assign(root.sphere_map()->begin(), root.sphere_map()->end());
   return {};
 }
 
@@ -329,8 +336,8 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   ClassIndex index;
   index.file_bytes = bytes.size();
   for (const auto& unpack_part :
-       {unpack_settings, unpack_types, unpack_key_views, unpack_classes, unpack_symmetries,
-        unpack_model, unpack_calibration, unpack_golden_frame}) {
+       {unpack_settings, unpack_types, unpack_key_views, unpack_classes, unpack_sphere_map,
+        unpack_symmetries, unpack_model, unpack_calibration, unpack_golden_frame}) {
     if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
   }
   if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);

@@ -13,6 +13,7 @@
 #include "runtime/base/result.h"
 #include "runtime/recognition/golden_frame.h"
 #include "runtime/recognition/object_model.h"
+#include "runtime/recognition/sphere_map.h"
 #include "runtime/vision/feature.h"
 #include "runtime/vision/vision_parameters.h"
 
@@ -92,7 +93,7 @@ struct ClassIndex {
   std::vector<std::uint16_t> surfaces;
   std::vector<KeyView> key_views;
   std::vector<KeyContour> key_contours;
-  std::vector<std::uint8_t> sphere_map;  // for sphere_map.h
+  SphereMap sphere_map;  // which class is seen from where
   // Rotations of the object that no view of it betrays, w x y z, without the identity; and the unit
   // axes about which any angle does, which combine with them.
   std::vector<std::array<float, 4>> symmetries;

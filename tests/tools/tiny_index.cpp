@@ -90,7 +90,7 @@ void write_tiny_index(const std::filesystem::path& file, const std::string& obje
                              static_cast<std::uint32_t>(parameters.area_min_px),
                              parameters.thickness_min_px, parameters.smooth);
   const std::vector<std::uint16_t> no_surfaces;
-  const std::vector<std::uint8_t> no_map;
+  const std::vector<std::uint8_t> no_map(5, 0x55);  // 20 patches, unsplit and of no class
   // A field that has its default value is not stored at all; the real checksum replaces this one.
   constexpr std::uint64_t kPlaceholder = 1;
   builder.Finish(

@@ -6,17 +6,15 @@
 namespace aspect {
 
 Result<ClassViews> ClassViews::create(const ClassIndex& index) {
-  Result<SphereMap> map = decode_sphere_map(index.sphere_map, index.classes.size());
-  if (!map) return Error{map.error()};
   ClassViews views;
-  views.map_ = std::move(map).value();
-  const ViewSphere& sphere = views.map_.sphere;
-  for (const PatchId leaf : sphere.leaves()) {
+  views.map_ = index.sphere_map;
+  for (const SphereMap::Leaf& leaf : views.map_.leaves()) {
     OwnedPatch owned;
-    owned.class_id = views.map_.classes.class_of[static_cast<std::size_t>(leaf)];
+    owned.class_id = leaf.class_id;
     if (owned.class_id == kNoClass) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      owned.corners[k] = sphere.position(sphere.patch(leaf).corners[k]);
+      owned.corners[k] =
+          Eigen::Vector3d(leaf.corners[k][0], leaf.corners[k][1], leaf.corners[k][2]);
     owned.centre = (owned.corners[0] + owned.corners[1] + owned.corners[2]).normalized();
     views.patches_.push_back(owned);
   }
@@ -44,7 +42,7 @@ std::int32_t ClassViews::nearest(const Eigen::Vector3d& direction) const {
 }
 
 std::int32_t ClassViews::at(const Eigen::Vector3d& direction) const {
-  return map_.at(direction);
+  return map_.class_at({direction.x(), direction.y(), direction.z()});
 }
 
 std::int32_t ClassViews::right(const Eigen::Vector3d& direction) const {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/index/sphere_map.h"
+#include "compiler/viewsphere/patch_division.h"
 #include "runtime/recognition/class_index.h"
 
 namespace aspect {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "compiler/aspects/observer.h"
-#include "compiler/index/sphere_map.h"
+#include "compiler/viewsphere/patch_division.h"
 #include "tools/eval/view_error.h"
 
 namespace aspect {
@@ -107,12 +107,21 @@ std::string reason_of(const std::vector<Corner>& corners, const CompileOptions& 
   return "an aspect too small to be kept; lower --small-cluster or raise --max-index-kib";
 }
 
+// Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
+double area_sr(const SphereMap::Corners& corners) {
+  const auto& [a, b, c] = corners;
+  return 2 * std::atan2(dot(a, cross(b - a, c - a)), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+}
+
 // How much of a patch is of no class.
-double blind_share(const SphereClasses& classes, PatchId leaf) {
-  const auto found = classes.divisions.find(static_cast<std::uint32_t>(leaf));
-  if (found == classes.divisions.end())
-    return classes.class_of[static_cast<std::size_t>(leaf)] == kNoClass ? 1 : 0;
-  const PatchDivision& division = found->second;
+double blind_share(const SphereMap::Leaf& leaf) {
+  if (leaf.division == nullptr) return leaf.class_id == SphereMap::kNone ? 1 : 0;
+  PatchDivision division;
+  for (std::size_t k = 0; k < leaf.division->count; ++k) {
+    division.places.push_back(static_cast<double>(leaf.division->places[k]) /
+                              SphereMapFormat::kSteps);
+    division.classes.push_back(leaf.division->classes[k]);
+  }
   const std::vector<double> shares = piece_shares(division);
   double blind = 0;
   for (std::size_t k = 0; k < shares.size(); ++k)
@@ -140,22 +149,18 @@ std::string commonest_reason(const Gathering& gathering, Observer& observer, con
 BlindSpots find_blind_spots(const EvaluatedObject& object, const Faces& faces,
                             const CompileOptions& options) {
   BlindSpots found;
-  const Result<SphereMap> map =
-      decode_sphere_map(object.index.sphere_map, object.index.classes.size());
-  if (!map) return found;
-  const ViewSphere& sphere = map.value().sphere;
   std::vector<Piece> pieces;
-  for (const PatchId leaf : sphere.leaves()) {
-    const double blind = blind_share(map.value().classes, leaf);
+  for (const SphereMap::Leaf& leaf : object.index.sphere_map.leaves()) {
+    const double blind = blind_share(leaf);
     if (blind == 0) continue;
     Piece piece;
     Eigen::Vector3d sum(0, 0, 0);
-    for (const VertexId corner : sphere.patch(leaf).corners) {
-      piece.corners.push_back(sphere.position(corner));
+    for (const Vector3d& corner : leaf.corners) {
+      piece.corners.emplace_back(corner[0], corner[1], corner[2]);
       sum += piece.corners.back();
     }
     piece.centre = sum.normalized();
-    piece.share = blind * sphere.area_sr(leaf) / (4 * std::numbers::pi);
+    piece.share = blind * area_sr(leaf.corners) / (4 * std::numbers::pi);
     found.share += piece.share;
     pieces.push_back(std::move(piece));
   }

@@ -237,7 +237,7 @@ TEST_CASE("more classes than sixteen bits can name are refused") {
     };
     const std::vector<float> types;
     const std::vector<std::uint16_t> surfaces;
-    const std::vector<std::uint8_t> map;
+    const std::vector<std::uint8_t> map = map_of_nothing();
     schema::FinishClassIndexBuffer(
         builder,
         schema::CreateClassIndex(
@@ -253,6 +253,17 @@ TEST_CASE("more classes than sixteen bits can name are refused") {
   };
   CHECK(try_index(bytes_with(kMaxClasses)).empty());
   CHECK_THAT(try_index(bytes_with(kMaxClasses + 1)), Contains("has 65537 classes"));
+}
+
+TEST_CASE("a map of the viewing sphere that is no tree, or names other classes, is refused") {
+  // Split for ever; a leaf of the last class that its bits can name.
+  for (const std::uint8_t byte : {std::uint8_t{0xFF}, std::uint8_t{0x1F}}) {
+    const std::string error = error_after([&](schema::ClassIndex& root) {
+      const auto* map = root.sphere_map();
+      std::memset(const_cast<std::uint8_t*>(map->data()), byte, map->size());
+    });
+    CHECK(error == "hostile: its map of the viewing sphere is damaged; compile the scene again");
+  }
 }
 
 TEST_CASE("a file is loaded, and one that is not there, no file or too large is refused") {

@@ -19,7 +19,7 @@ IndexBytes bytes_with(const std::vector<schema::Rotation>& rotations,
   const auto segmentation = schema::CreateSegmentation(builder);
   const std::vector<float> types;
   const std::vector<std::uint16_t> surfaces;
-  const std::vector<std::uint8_t> map;
+  const std::vector<std::uint8_t> map = map_of_nothing();
   const auto none = [&builder](auto like) {
     return builder.CreateVectorOfStructs(std::vector<decltype(like)>{});
   };

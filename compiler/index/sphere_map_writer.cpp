@@ -1,19 +1,15 @@
-#include "compiler/index/sphere_map.h"
+#include "compiler/index/sphere_map_writer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "runtime/recognition/sphere_map.h"
 
 namespace aspect {
 namespace {
 
-constexpr int kDeepestLevel = 12;
-constexpr std::size_t kMostPatches = 1U << 22U;
-
-// Class numbers are written plus one, so that 0 stands for none.
-int class_bits(std::size_t class_count) {
-  return static_cast<int>(std::bit_width(class_count));
-}
+using Format = SphereMapFormat;
+static_assert(SphereMap::kNone == kNoClass);
 
 class BitWriter {
  public:
@@ -31,34 +27,12 @@ class BitWriter {
   std::size_t used_ = 0;
 };
 
-class BitReader {
- public:
-  explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  std::uint32_t get(int bits) {
-    std::uint32_t value = 0;
-    for (int bit = 0; bit < bits; ++bit, ++used_) {
-      failed = failed || used_ / 8 >= bytes_.size();
-      const std::uint32_t byte = failed ? 0U : bytes_[used_ / 8];
-      value = value << 1U | ((byte >> (7 - used_ % 8)) & 1U);
-    }
-    return value;
-  }
-  bool failed = false;
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  std::size_t used_ = 0;
-};
-
-constexpr std::size_t kRoots = 20;
 PatchId root(std::size_t k) {
   return static_cast<PatchId>(k);
 }
 // Classes are sampled in the middle of these steps round a patch, this far inside it.
-constexpr int kSteps = 16, kRound = 3 * kSteps, kPlaceBits = 6;
+constexpr int kSteps = Format::kSteps, kRound = 3 * kSteps;
 constexpr double kInside = 0.01;
-constexpr std::size_t kFewestPieces = 2, kMostPieces = 5;
-constexpr int kPieceBits = 2;
 constexpr std::int32_t kMixed = -2;
 
 Eigen::Vector3d direction_at(const ViewSphere& sphere, const Patch& patch, double place) {
@@ -75,7 +49,7 @@ Eigen::Vector3d direction_at(const ViewSphere& sphere, const Patch& patch, doubl
 
 // Gives the pieces with the shortest stretch of edge to those before them.
 void drop_shortest(PatchDivision& division) {
-  while (division.places.size() > kMostPieces) {
+  while (division.places.size() > Format::kMostPieces) {
     std::size_t shortest = 0;
     double least = 3;
     for (std::size_t k = 0; k < division.places.size(); ++k) {
@@ -97,7 +71,7 @@ struct Encoder {
   const SphereClasses& classes;
   std::size_t class_count;
   int level;
-  int bits = class_bits(class_count);
+  int bits = Format::class_bits(class_count);
   BitWriter out{};
   std::int32_t last = kNoClass;
 
@@ -135,9 +109,11 @@ struct Encoder {
   void put_division(const PatchDivision& division) {
     out.put(0, 1);
     out.put(1, 1);
-    out.put(static_cast<std::uint32_t>(division.places.size() - kFewestPieces), kPieceBits);
+    out.put(static_cast<std::uint32_t>(division.places.size() - Format::kFewestPieces),
+            Format::kPieceBits);
     for (std::size_t k = 0; k < division.places.size(); ++k) {
-      out.put(static_cast<std::uint32_t>(std::lround(division.places[k] * kSteps)), kPlaceBits);
+      out.put(static_cast<std::uint32_t>(std::lround(division.places[k] * kSteps)),
+              Format::kPlaceBits);
       put_class(division.classes[k]);
     }
   }
@@ -153,7 +129,7 @@ struct Encoder {
     std::int32_t own = common_class(id);
     if (own == kMixed) {
       const PatchDivision division = sampled(patch);
-      if (division.places.size() >= kFewestPieces) return put_division(division);
+      if (division.places.size() >= Format::kFewestPieces) return put_division(division);
       own = division.classes[0];
     }
     out.put(own == last ? 1 : 0, 1);
@@ -164,58 +140,12 @@ struct Encoder {
   }
 };
 
-struct Decoder {
-  SphereMap& map;
-  BitReader in;
-  std::size_t class_count;
-  std::int32_t last = kNoClass;
-
-  void get(PatchId id) {
-    if (in.failed) return;
-    map.classes.class_of.resize(map.sphere.patch_count(), kNoClass);
-    if (in.get(1) == 1) {
-      if (map.sphere.patch(id).level >= kDeepestLevel || map.sphere.patch_count() > kMostPatches) {
-        in.failed = true;
-        return;
-      }
-      map.sphere.split(id);
-      const auto children = map.sphere.patch(id).children;
-      for (const PatchId child : children) get(child);
-      return;
-    }
-    const bool same = in.get(1) == 1;
-    const bool divided = !same && in.get(1) == 1;
-    if (divided) return get_division(id);
-    if (!same) last = get_class();
-    map.classes.class_of[number(id)] = last;
-  }
-
-  std::int32_t get_class() {
-    const auto id = static_cast<std::int32_t>(in.get(class_bits(class_count))) - 1;
-    in.failed = in.failed || id >= static_cast<std::int32_t>(class_count);
-    return id;
-  }
-
-  void get_division(PatchId id) {
-    PatchDivision division;
-    const std::size_t count = in.get(kPieceBits) + kFewestPieces;
-    for (std::size_t k = 0; k < count && !in.failed; ++k) {
-      const double place = static_cast<double>(in.get(kPlaceBits)) / kSteps;
-      in.failed = in.failed || place >= 3 || (k > 0 && place <= division.places.back());
-      division.places.push_back(place);
-      division.classes.push_back(get_class());
-    }
-    if (!in.failed)
-      map.classes.divisions.emplace(static_cast<std::uint32_t>(id), std::move(division));
-  }
-};
-
 }  // namespace
 
 std::vector<std::uint8_t> encode_sphere_map(const ViewSphere& sphere, const SphereClasses& classes,
                                             std::size_t class_count, int level) {
   Encoder encoder{sphere, classes, class_count, level};
-  for (std::size_t k = 0; k < kRoots; ++k) encoder.put(root(k));
+  for (std::size_t k = 0; k < Format::kRoots; ++k) encoder.put(root(k));
   return std::move(encoder.out.bytes);
 }
 
@@ -231,16 +161,6 @@ std::vector<std::uint8_t> encode_sphere_map_within(const ViewSphere& sphere,
     if (bytes.size() <= most_bytes) return bytes;
   }
   return encode_sphere_map(sphere, classes, class_count, 0);
-}
-
-Result<SphereMap> decode_sphere_map(std::span<const std::uint8_t> bytes, std::size_t class_count) {
-  SphereMap map;
-  Decoder decoder{map, BitReader(bytes), class_count};
-  for (std::size_t k = 0; k < kRoots; ++k) decoder.get(root(k));
-  if (decoder.in.failed)
-    return Error{"its map of the viewing sphere is damaged; compile the scene again"};
-  map.classes.class_of.resize(map.sphere.patch_count(), kNoClass);
-  return map;
 }
 
 }  // namespace aspect
