@@ -123,7 +123,7 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   }
   const auto seen = std::span<const ContourFeature>(features).first(count);
   if (looks_anywhere() && fills_frame(blob.box, frame))
-    return {blob.box, blob_place, static_cast<int>(count), {Verdict::unknown}, {}};
+    return {blob.box, static_cast<int>(count), {Verdict::unknown}, {}, blob_place};
   std::size_t candidates = shortlist(seen);
   if (parameters_.ranking == RecogniserParameters::Ranking::views) {
     candidates = view_search_.run(seen, candidates_, candidates);
@@ -146,8 +146,9 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   for (const Hypothesis& hypothesis : list.first(reported))
     if (hypothesis.score >= parameters_.score_min) report(hypothesis, seen);
   const auto hypotheses = hypotheses_.subspan(first, hypothesis_count_ - first);
-  SeenObject object{blob.box, blob_place, static_cast<int>(count),
-                    judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses};
+  SeenObject object{blob.box, static_cast<int>(count),
+                    judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses,
+                    blob_place};
   if (object.judgement.verdict == Verdict::match && looks_anywhere() &&
       says_little(blob, count, graph.blobs.front(), frame))
     object.judgement.verdict = Verdict::unknown;
@@ -221,9 +222,9 @@ std::size_t Recogniser::add_found(const SceneObject& found, std::size_t objects)
   Judgement judgement;
   judgement.verdict = Verdict::match;
   judgement.probability = found.agreement.score;
-  objects_[objects] = {found.agreement.box, blob_around(found.agreement.box, vision_.regions()),
-                       found.agreement.colours, judgement,
-                       hypotheses_.subspan(hypothesis_count_ - 1, 1)};
+  objects_[objects] = {found.agreement.box, found.agreement.colours, judgement,
+                       hypotheses_.subspan(hypothesis_count_ - 1, 1),
+                       blob_around(found.agreement.box, vision_.regions())};
   return objects + 1;
 }
 

@@ -65,10 +65,10 @@ struct RecogniserParameters {
 
 struct SeenObject {
   Box box;
-  std::size_t blob = 0;  // of the graph: that it is, or that its middle lies in
   int regions = 0;
   Judgement judgement;
   std::span<const Hypothesis> hypotheses;  // best first
+  std::size_t blob = 0;                    // of the graph: that it is, or that its middle lies in
 };
 
 struct StageTimes {
