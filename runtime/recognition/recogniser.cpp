@@ -45,6 +45,19 @@ std::size_t blob_around(const Box& box, const RegionMap& regions) {
   return nearest;
 }
 
+// What is all of a blob should have been found as an object that stands alone; where it was not,
+// because it is small, blurred or cut, the drawing must agree the better.
+bool is_doubtful(const SceneAgreement& agreement, const Box& blob) {
+  constexpr float kLeastScore = 0.85F, kAllOfIt = 0.75F;
+  const Box& box = agreement.box;
+  const int width = std::min(box.x + box.width, blob.x + blob.width) - std::max(box.x, blob.x),
+            height = std::min(box.y + box.height, blob.y + blob.height) - std::max(box.y, blob.y);
+  if (agreement.score >= kLeastScore || width <= 0 || height <= 0) return false;
+  const auto shared = static_cast<float>(width * height);
+  return shared > kAllOfIt * (static_cast<float>(box.width * box.height) +
+                              static_cast<float>(blob.width * blob.height) - shared);
+}
+
 CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& index,
                       const Frame& frame) {
   const double width = frame.width_px, height = frame.height_px;
@@ -204,7 +217,7 @@ bool Recogniser::looks_anywhere() const {
          parameters_.vision.sensor == SensorKind::colour;
 }
 
-std::size_t Recogniser::add_found(const SceneObject& found, std::size_t objects) {
+std::size_t Recogniser::add_found(const SceneObject& found, std::size_t blob, std::size_t objects) {
   if (objects == objects_.size() || hypothesis_count_ == hypotheses_.size() ||
       pose_count_ == poses_.size())
     return objects;
@@ -223,8 +236,7 @@ std::size_t Recogniser::add_found(const SceneObject& found, std::size_t objects)
   judgement.verdict = Verdict::match;
   judgement.probability = found.agreement.score;
   objects_[objects] = {found.agreement.box, found.agreement.colours, judgement,
-                       hypotheses_.subspan(hypothesis_count_ - 1, 1),
-                       blob_around(found.agreement.box, vision_.regions())};
+                       hypotheses_.subspan(hypothesis_count_ - 1, 1), blob};
   return objects + 1;
 }
 
@@ -241,8 +253,13 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
   const SeenScene scene{&vision_.colours(), &vision_.regions(), std::span(taken_).first(objects),
                         cameras_,           frame.width_px,     frame.height_px};
   std::size_t end = objects;
-  for (const SceneObject& found : scene_search_.run(scene))
-    if (found.agreement.margin >= 0) end = add_found(found, end);
+  for (const SceneObject& found : scene_search_.run(scene)) {
+    const std::size_t blob = blob_around(found.agreement.box, vision_.regions());
+    if (found.agreement.margin < 0 ||
+        is_doubtful(found.agreement, vision_.regions().blobs[blob].box))
+      continue;
+    end = add_found(found, blob, end);
+  }
   // A blob is what was found in it.
   const auto others = objects_.subspan(objects, end - objects);
   const auto is_explained = [&](const SeenObject& object) {

@@ -105,7 +105,7 @@ class Recogniser {
   std::size_t shortlist(std::span<const ContourFeature> features);
   void find_poses(std::size_t candidates, std::size_t blob);
   bool looks_anywhere() const;
-  std::size_t add_found(const SceneObject& found, std::size_t objects);
+  std::size_t add_found(const SceneObject& found, std::size_t blob, std::size_t objects);
   std::size_t search_scene(const Frame& frame, std::size_t objects);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 
