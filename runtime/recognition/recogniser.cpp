@@ -45,6 +45,13 @@ std::size_t blob_around(const Box& box, const RegionMap& regions) {
   return nearest;
 }
 
+// Of an object with nothing to spare, 0.9.
+float probability_of(const SceneAgreement& agreement) {
+  constexpr double kSlope = 22, kEven = -0.1;
+  return static_cast<float>(
+      1 / (1 + portable_exp(-kSlope * (static_cast<double>(agreement.margin) - kEven))));
+}
+
 // What is all of a blob should have been found as an object that stands alone; where it was not,
 // because it is small, blurred or cut, the drawing must agree the better.
 bool is_doubtful(const SceneAgreement& agreement, const Box& blob) {
@@ -234,7 +241,7 @@ std::size_t Recogniser::add_found(const SceneObject& found, std::size_t blob, st
   pose_search_.settle(hypothesis, pose);
   Judgement judgement;
   judgement.verdict = Verdict::match;
-  judgement.probability = found.agreement.score;
+  judgement.probability = probability_of(found.agreement);
   objects_[objects] = {found.agreement.box, found.agreement.colours, judgement,
                        hypotheses_.subspan(hypothesis_count_ - 1, 1), blob};
   return objects + 1;
@@ -256,6 +263,8 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
   for (const SceneObject& found : scene_search_.run(scene)) {
     const std::size_t blob = blob_around(found.agreement.box, vision_.regions());
     if (found.agreement.margin < 0 ||
+        static_cast<double>(probability_of(found.agreement)) < parameters_.confidence_min ||
+        static_cast<double>(found.agreement.score) < parameters_.score_min ||
         is_doubtful(found.agreement, vision_.regions().blobs[blob].box))
       continue;
     end = add_found(found, blob, end);

@@ -99,6 +99,7 @@ std::optional<Error> read_recognition(const toml::table& table, const std::strin
   reader.read("shortlist_slack", {0, kMaxBlobContours}, overrides.shortlist_slack);
   reader.read("score_min", {0, 1e12}, overrides.score_min);
   reader.read("min_confidence", {0, 1}, overrides.confidence_min);
+  reader.read("anywhere", overrides.anywhere);
   if (matching) overrides.matching = *matching == 0 ? Matching::simple : Matching::weighted;
   if (ranking) overrides.ranking = *ranking == 0 ? Ranking::views : Ranking::classes;
   return reader.finish();
@@ -171,6 +172,7 @@ void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
   replace(parameters.shortlist_slack, shortlist_slack);
   replace(parameters.score_min, score_min);
   replace(parameters.confidence_min, confidence_min);
+  replace(parameters.anywhere, anywhere);
 }
 
 void Configuration::apply(RecogniserParameters& parameters) const {

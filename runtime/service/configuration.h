@@ -41,6 +41,7 @@ struct RecognitionOverrides {
   std::optional<int> top, shortlist_slack;
   std::optional<double> score_min;
   std::optional<double> confidence_min;
+  std::optional<bool> anywhere;
 
   void apply(RecogniserParameters& parameters) const;
 };

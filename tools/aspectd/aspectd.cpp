@@ -31,7 +31,8 @@ The configuration is TOML; whatever is left out has a default, but for indexes.
   [segmentation]    region_of_interest = [x, y, width, height]; area_min_px, intensity_min and the
                     others that an index was compiled with
   [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack,
-                    min_confidence (probability from which an object is a match)
+                    min_confidence (probability from which an object is a match),
+                    anywhere = true (look for objects before any background as well as alone)
   [output]          stdout = true; and one table for each of
   [output.file]     path, max_mib, keep (older files kept)
   [output.socket]   path
