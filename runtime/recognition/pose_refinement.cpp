@@ -51,7 +51,10 @@ std::optional<FoundBorder> find_border(const BorderPoint& point, const CameraMod
   const bool any_outside = behind == Behind::anything && point.outside == kBackgroundClass;
   for (int t = -reach - kWidest; t <= reach + kWidest; ++t) {
     const auto f = static_cast<float>(t);
-    const ColourClass colour = seen.at(x + f * step_x, y + f * step_y);
+    ColourClass colour = seen.at(x + f * step_x, y + f * step_y);
+    // A region may hold a surface and what stands behind it.
+    if (behind == Behind::anything && colour == SeenColours::kOther)
+      colour = seen.at_pixel(x + f * step_x, y + f * step_y);
     border.see(t, colour == point.inside,
                any_outside ? colour != point.inside : colour == point.outside);
     outline.see(t, colour != kBackgroundClass, colour == kBackgroundClass);

@@ -28,7 +28,8 @@ constexpr float kSamePlace = 0.2F, kSameTurn_cos = 0.96F, kSameView_cos = 0.97F;
 constexpr float kEnoughArea_px = 1500;
 constexpr int kStartCells = 20, kFinalCells = 40, kRounds = 7, kCorrections = 2;
 constexpr std::size_t kMostRefined = 24;
-constexpr std::ptrdiff_t kMostInPlace = 3;
+constexpr std::size_t kMostInPlace = 3;
+constexpr float kSureMargin = 0.27F;
 // A start that explains less of its key view is not drawn.
 constexpr float kWorth = 0.25F;
 // A drawing that shows less than this of what it should is not worth refining.
@@ -303,15 +304,17 @@ void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
   for (const Start& start : of_regions_.all()) draw(start);
 }
 
+// By an object that is there beyond doubt, or by several that were tried.
 bool SceneSearch::is_taken(const SeenScene& scene, const Drawn& drawn) const {
   const Place place = place_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]);
-  const auto is_there = [&](const SceneObject& other) {
-    return share_place(place, place_of(indexes_[other.index].model, other.refined.pose,
-                                       scene.cameras[other.index]));
-  };
-  const auto count = std::count_if(
-      found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(found_count_), is_there);
-  return count >= kMostInPlace;
+  std::size_t tried = 0;
+  for (const SceneObject& other : std::span<const SceneObject>(found_).first(found_count_)) {
+    if (!share_place(place, place_of(indexes_[other.index].model, other.refined.pose,
+                                     scene.cameras[other.index])))
+      continue;
+    if (other.agreement.margin >= kSureMargin || ++tried >= kMostInPlace) return true;
+  }
+  return false;
 }
 
 void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
