@@ -56,6 +56,17 @@ bool is_of(std::uint64_t colours, ColourClass colour) {
   return colour != kBackgroundClass && (colours >> (colour - 1U) & 1U) != 0;
 }
 
+bool shows(const Planes& colours, int x, int y, const std::array<float, 3>& share) {
+  constexpr float kLeastSum = 40;
+  const std::size_t place = colours.place(x, y);
+  const auto red = static_cast<float>(colours.red[place]),
+             green = static_cast<float>(colours.green[place]),
+             blue = static_cast<float>(colours.blue[place]);
+  const float sum = red + green + blue;
+  return sum >= kLeastSum && squared_distance({red / sum, green / sum, blue / sum}, share) <
+                                 kFarthestShare * kFarthestShare;
+}
+
 // Where the object's middle is in the picture, and how far it reaches from there.
 struct Place {
   float x = 0, y = 0, radius_px = 0;
@@ -142,7 +153,11 @@ float SceneSearch::explained(const SeenScene& scene, std::size_t index_place,
       continue;
     const std::uint16_t label =
         scene.regions->labels[static_cast<std::size_t>(y * scene.regions->stride_px + x)];
-    if (is_of(colours_of_label_[label], pairs_[index_place].colour_of(range.first + k)))
+    const ColourClass colour = pairs_[index_place].colour_of(range.first + k);
+    // A region may hold a surface and what stands behind it.
+    if (is_of(colours_of_label_[label], colour) ||
+        (colour != kBackgroundClass &&
+         shows(*scene.colours, x, y, index.model.shares[colour - 1U])))
       seen += contour.area;
   }
   return seen / all * std::min(1.0F, all * start.scale_px * start.scale_px / kEnoughArea_px);
