@@ -10,7 +10,7 @@ namespace {
 // Cells of a colour that is seen, and what a leak costs.
 constexpr int kLeastCells = 8;
 // Nothing dark hides an object.
-constexpr float kLeakCost = 0.5F, kEmptyCost = 0.5F, kWithin = 0.6F;
+constexpr float kLeakCost = 0.5F, kEmptyCost = 0.5F, kWithin = 0.6F, kHiddenShare = 0.3F;
 
 ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
   constexpr int kRim = 2;
@@ -27,7 +27,7 @@ ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
 // By the number of colours, from one on: two side by side are found on many things, four as they
 // should be on none; what hides a part of the object takes some of the rest.
 float margin_of(const SceneAgreement& agreement) {
-  constexpr std::array<float, 4> kLeast{1.5F, 0.93F, 0.66F, 0.58F};
+  constexpr std::array<float, 4> kLeast{1.5F, 0.93F, 0.68F, 0.58F};
   // Half of the object must be in the picture.
   constexpr float kLeastInside = 0.45F;
   if (agreement.colours < 1 || agreement.inside < kLeastInside) return -1;
@@ -81,17 +81,18 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
   if (inside == 0) return agreement;
   agreement.inside = static_cast<float>(inside) / static_cast<float>(drawn);
   // What goes on beyond the outline may stand before the object; what ends within it may not.
-  int contradicting = 0;
+  int contradicting = 0, hidden = 0;
   const float cell_px = drawing.cell_px() * drawing.cell_px();
   for (std::size_t label = 1; label < wrong_cells.size(); ++label) {
     const int cells = wrong_cells[label];
-    if (cells > 0 && static_cast<float>(cells) * cell_px >
-                         kWithin * seen.area_px(static_cast<std::uint16_t>(label)))
-      contradicting += cells;
+    if (cells == 0) continue;
+    const bool ends_within = static_cast<float>(cells) * cell_px >
+                             kWithin * seen.area_px(static_cast<std::uint16_t>(label));
+    (ends_within ? contradicting : hidden) += cells;
   }
   agreement.score =
       (static_cast<float>(right) - kEmptyCost * static_cast<float>(empty + contradicting)) /
-          static_cast<float>(inside) -
+          (static_cast<float>(inside) - kHiddenShare * static_cast<float>(hidden)) -
       kLeakCost * static_cast<float>(leak) / static_cast<float>(std::max(1, rim));
   agreement.colours =
       static_cast<int>(std::count_if(cells_of_colour.begin(), cells_of_colour.end(),
