@@ -3,7 +3,7 @@
 # recognises recorded frames that something else rendered (POV-Ray) or photographed. Installs and
 # builds what that needs and no more.
 # usage: tools/demo.sh [--short|--fine]    --short: coarser indexes, as CI runs it; --fine: finer
-# Leaves everything in build/demo, the contact sheets as rendered.png and real.png.
+# Leaves everything in build/demo, the contact sheets as rendered.png, cluttered.png and real.png.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 level=4 compiling='1 minute'
@@ -41,7 +41,7 @@ compile() {
   done
 }
 
-# recognise SET FOLDER SCORE_OPTIONS... -- INDEX_NAME...: frames of tests/data/SET, a table, a sheet
+# recognise SET CONFIGURATION SCORE_OPTIONS... -- INDEX_NAME...: frames of tests/data/SET, a table, a sheet
 recognise() {
   local set=$1 config=$2 scoring=() indexes=() name
   shift 2
@@ -62,6 +62,9 @@ step "frames are recognised: 10 seconds"
 echo "-- rendered by POV-Ray"
 recognise rendered camera.toml --symmetries tests/data/rendered/symmetries.csv \
   -- cube l_shape blockcyl1 blockcyl2 pegblock
+echo "-- before photographs, other shapes about, and touching"
+recognise cluttered camera.toml --symmetries tests/data/rendered/symmetries.csv \
+  -- cube l_shape blockcyl1 blockcyl2 pegblock
 echo "-- photographs"
 recognise real segmentation.toml -- rubik_03 rubik_04
-echo "== done in $(((SECONDS - begun) / 60)) min $(((SECONDS - begun) % 60)) s; pictures: $out/rendered.png $out/real.png"
+echo "== done in $(((SECONDS - begun) / 60)) min $(((SECONDS - begun) % 60)) s; pictures: $out/rendered.png $out/cluttered.png $out/real.png"

@@ -15,9 +15,9 @@ constexpr std::size_t kMostViews = 3;
 constexpr float kNear_cos = 0.94F;  // 20 degrees
 
 // The compiler puts the key views of a class so that each is as far as can be from those before it.
-// The first quarter shows where the rest is worth a look: costs change slowly with the view.
-constexpr std::size_t kCoarseShare = 4, kFewestCoarse = 4;
-constexpr float kWorthFactor = 3, kWorthLeast = 6;
+// The first third shows where the rest is worth a look: costs change slowly with the view.
+constexpr std::size_t kCoarseShare = 3, kFewestCoarse = 4;
+constexpr float kWorthFactor = 4, kWorthLeast = 8;
 
 float cos_between(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -95,6 +95,13 @@ void draw_caption(FrameCanvas& canvas, LabelPlacer& labels, const SeenObject& ob
   labels.draw(caption, corners, style, {170, 255, 255});
 }
 
+// Of a frame full of things, specks that are nothing known would cover what is.
+bool is_worth_a_caption(const SeenObject& object, const Frame& frame) {
+  constexpr int kLeastShare = 50;
+  return object.judgement.verdict != Verdict::unknown ||
+         kLeastShare * object.box.width * object.box.height > frame.width_px * frame.height_px;
+}
+
 // Light enough to be read; the outlines have the full colour.
 cv::Scalar text_colour(int id) {
   return id_colour(id) * 0.45 + cv::Scalar::all(140);
@@ -108,7 +115,8 @@ cv::Mat draw_recognition(const Frame& frame, const Recognition& recognition, con
   FrameCanvas canvas(picture_of(frame));
   const auto contours = recognition.graph.contours;
   for (const Contour& contour : contours) canvas.draw_outline(contour, id_colour(contour.region));
-  for (const SeenObject& object : recognition.objects) draw_box(canvas, object);
+  for (const SeenObject& object : recognition.objects)
+    if (is_worth_a_caption(object, frame)) draw_box(canvas, object);
   for (const SeenObject& object : recognition.objects)
     if (const Hypothesis* best = drawn_hypothesis(object))
       draw_model(canvas, indexes[best->index].model, best->pose->refined.pose, cameras[best->index],
@@ -117,7 +125,7 @@ cv::Mat draw_recognition(const Frame& frame, const Recognition& recognition, con
   const TextStyle style = canvas.text_style();
   LabelPlacer labels(canvas.picture());
   for (const SeenObject& object : recognition.objects)
-    draw_caption(canvas, labels, object, indexes);
+    if (is_worth_a_caption(object, frame)) draw_caption(canvas, labels, object, indexes);
   for (std::size_t k = 0; k < contours.size(); ++k) {
     if (!contours[k].external) continue;
     const Point2 point = label_point(contours[k], map);
