@@ -112,6 +112,9 @@ void SceneSearch::see_regions(const SeenScene& scene, const ClassIndex& index) {
   const auto regions = scene.regions->regions;
   const float most_px =
       kMostAreaShare * static_cast<float>(scene.width_px) * static_cast<float>(scene.height_px);
+  const auto is_smaller = [](const SeenRegion& a, const SeenRegion& b) {
+    return a.area_px < b.area_px;
+  };
   region_count_ = 0;
   colours_of_label_[0] = 0;
   for (std::size_t r = 0; r < regions.size(); ++r) {
@@ -122,14 +125,17 @@ void SceneSearch::see_regions(const SeenScene& scene, const ClassIndex& index) {
                   ? 0
                   : colours_near(index.model, region.mean_rgb);
     const auto area = static_cast<float>(region.sums.area);
-    if (colours == 0 || area < kLeastArea_px || area > most_px || region_count_ == kMostRegions)
-      continue;
-    seen_regions_[region_count_++] = {
-        {static_cast<float>(region.box.x + region.sums.x / region.sums.area),
-         static_cast<float>(region.box.y + region.sums.y / region.sums.area)},
-        area,
-        moments_of(region.sums),
-        colours};
+    if (colours == 0 || area < kLeastArea_px || area > most_px) continue;
+    const bool is_full = region_count_ == kMostRegions;
+    SeenRegion& place =
+        is_full ? *std::min_element(seen_regions_.begin(), seen_regions_.end(), is_smaller)
+                : seen_regions_[region_count_++];
+    if (is_full && area <= place.area_px) continue;
+    place = {{static_cast<float>(region.box.x + region.sums.x / region.sums.area),
+              static_cast<float>(region.box.y + region.sums.y / region.sums.area)},
+             area,
+             moments_of(region.sums),
+             colours};
   }
 }
 

@@ -42,6 +42,7 @@ class SceneSearch {
   std::span<const SceneObject> run(const SeenScene& scene);
 
  private:
+  // Of each, the largest and the best are kept.
   static constexpr std::size_t kMostRegions = 160, kMostStarts = 48, kMostDrawn = 256;
 
   struct SeenRegion {

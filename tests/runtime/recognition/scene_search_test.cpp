@@ -254,4 +254,23 @@ TEST_CASE("frames with no blob, and with more than are kept, give objects in the
   }
 }
 
+TEST_CASE("an object below more pieces of its colours than take part is found") {
+  std::mt19937 random(26);
+  RecogniserParameters parameters;
+  CameraModel low = kCamera;
+  low.cy_px += kSide_px;
+  parameters.camera = CalibratedCamera{low, 0};
+  OwnedRecogniser owned(cube_and_l_shape(), parameters, kSide_px, 2 * kSide_px);
+  const auto all = static_cast<std::size_t>(rounds(10));
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < all; ++k) {
+    OwnedFrame frame = striped(kSide_px, 2 * kSide_px);
+    strew_squares(frame, 300, 0, random);
+    const Pair pair = random_pair(random, 1.3);
+    paint({pair.data(), 1}, low, frame);
+    found += least_turn_deg(owned.recognise(frame.frame()), 0, pair[0].pose.rotation) < 3 ? 1U : 0U;
+  }
+  CHECK(found * 100 >= all * 80);
+}
+
 }  // namespace aspect
