@@ -293,12 +293,24 @@ void SceneSearch::pair_up(const SeenScene& scene, std::size_t index_place) {
     }
 }
 
+// Among the best of all indexes.
+void SceneSearch::keep(const Drawn& drawn) {
+  if (drawn_count_ < kMostDrawn) {
+    drawn_[drawn_count_++] = drawn;
+    return;
+  }
+  Drawn& worst =
+      *std::min_element(drawn_.begin(), drawn_.end(),
+                        [](const Drawn& a, const Drawn& b) { return a.margin < b.margin; });
+  if (drawn.margin > worst.margin) worst = drawn;
+}
+
 void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
   const ClassIndex& index = indexes_[index_place];
   const CameraModel& camera = scene.cameras[index_place];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
   const auto draw = [&](const Start& start) {
-    if (drawn_count_ == kMostDrawn || start.score < kWorth) return;
+    if (start.score < kWorth) return;
     const KeyView& view = index.key_views[start.key_view];
     Blob blob;
     blob.centre_px = start.centre_px;
@@ -319,7 +331,7 @@ void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
     const SceneAgreement agreement =
         scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
     drawn.margin = agreement.margin;
-    if (agreement.score >= kHopeful) drawn_[drawn_count_++] = drawn;
+    if (agreement.score >= kHopeful) keep(drawn);
   };
   for (const Start& start : of_pairs_.all()) draw(start);
   for (const Start& start : of_regions_.all()) draw(start);

@@ -80,6 +80,7 @@ class SceneSearch {
                  ColourClass colour);
   static void keep(const ClassIndex& index, const Start& start, Starts& starts);
   float explained(const SeenScene& scene, std::size_t index_place, const Start& start) const;
+  void keep(const Drawn& drawn);
   void draw_starts(const SeenScene& scene, std::size_t index_place);
   bool is_taken(const SeenScene& scene, const Drawn& drawn) const;
   void refine(const SeenScene& scene, const Drawn& drawn);

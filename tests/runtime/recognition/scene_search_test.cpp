@@ -273,4 +273,19 @@ TEST_CASE("an object below more pieces of its colours than take part is found") 
   CHECK(found * 100 >= all * 80);
 }
 
+TEST_CASE("the last of many indexes is looked for as the first one is") {
+  std::vector<ClassIndex> indexes(15, cube_and_l_shape()[0]);
+  indexes.push_back(cube_and_l_shape()[1]);
+  OwnedRecogniser many(indexes, {}, kSide_px, kSide_px), two = recogniser();
+  std::mt19937 random(27);
+  for (int k = 0; k < rounds(10); ++k) {
+    const Pair pair = random_pair(random, 1.4);
+    OwnedFrame frame = striped(kSide_px, kSide_px);
+    paint(pair, kCamera, frame);
+    const Rotation& rotation = pair[1].pose.rotation;
+    CHECK(least_turn_deg(many.recognise(frame.frame()), 15, rotation) ==
+          least_turn_deg(two.recognise(frame.frame()), 1, rotation));
+  }
+}
+
 }  // namespace aspect
