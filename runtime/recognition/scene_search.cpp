@@ -27,7 +27,6 @@ constexpr float kSamePlace = 0.2F, kSameTurn_cos = 0.96F, kSameView_cos = 0.97F;
 // Of the picture, so large that it says something.
 constexpr float kEnoughArea_px = 1500;
 constexpr int kStartCells = 20, kFinalCells = 40, kRounds = 7, kCorrections = 2;
-constexpr std::size_t kMostRefined = 24;
 constexpr std::size_t kMostInPlace = 3;
 constexpr float kSureMargin = 0.27F;
 // A start that explains less of its key view is not drawn.
@@ -388,7 +387,7 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
     return a.start.key_view < b.start.key_view;
   });
   for (const Drawn& d : drawn) {
-    if (found_count_ == kMostRefined) break;
+    if (found_count_ == kMostObjects) break;
     if (!is_taken(scene, d)) refine(scene, d);
   }
   const auto found = std::span(found_).first(found_count_);

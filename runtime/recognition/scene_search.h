@@ -34,7 +34,7 @@ struct SceneObject {
 
 class SceneSearch {
  public:
-  static constexpr std::size_t kMostObjects = 64;
+  static constexpr std::size_t kMostObjects = 24;
 
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
