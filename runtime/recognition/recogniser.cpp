@@ -94,11 +94,13 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   class_matcher_.prepare(arena, indexes);
   candidates_ = arena.take<Hypothesis>(kMaxCandidates);
   const auto top = static_cast<std::size_t>(parameters_.top);
-  hypotheses_ = arena.take<Hypothesis>(kMaxBlobs * top);
+  // What is found anywhere comes on top, until it is known which blobs it explains.
+  const std::size_t found = looks_anywhere() ? SceneSearch::kMostObjects : 0;
+  hypotheses_ = arena.take<Hypothesis>(kMaxBlobs * top + found);
   // A frame has no more external contours than regions, and a hypothesis matches each once.
   contour_matches_ = arena.take<ContourMatch>(kMaxRegions * top);
-  objects_ = arena.take<SeenObject>(kMaxBlobs);
-  poses_ = arena.take<VerifiedPose>(kMaxBlobs * PoseSearch::kMostPoses);
+  objects_ = arena.take<SeenObject>(kMaxBlobs + found);
+  poses_ = arena.take<VerifiedPose>(kMaxBlobs * PoseSearch::kMostPoses + found);
   cameras_ = arena.take<CameraModel>(indexes.size());
   view_search_.prepare(indexes);
   pose_search_.prepare(arena, indexes);
@@ -269,16 +271,28 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
       continue;
     end = add_found(found, blob, end);
   }
-  // A blob is what was found in it.
-  const auto others = objects_.subspan(objects, end - objects);
+  const std::size_t kept = join_found(objects, end);
+  pose_time_ += std::chrono::steady_clock::now() - start;
+  return kept;
+}
+
+// A blob is what was found in it. Where objects are more than kMaxBlobs, the smallest of those that
+// are nothing known are left out.
+std::size_t Recogniser::join_found(std::size_t alone_count, std::size_t count) {
+  const auto alone = objects_.first(alone_count),
+             others = objects_.subspan(alone_count, count - alone_count);
   const auto is_explained = [&](const SeenObject& object) {
     return !taken_[object.blob] &&
            std::any_of(others.begin(), others.end(),
                        [&](const SeenObject& other) { return other.blob == object.blob; });
   };
-  const auto left = std::remove_if(alone.begin(), alone.end(), is_explained);
-  const auto kept = std::copy(others.begin(), others.end(), left);
-  pose_time_ += std::chrono::steady_clock::now() - start;
+  auto left = std::remove_if(alone.begin(), alone.end(), is_explained);
+  const auto room = [&] { return kMaxBlobs - (left - alone.begin()); };
+  for (auto last = left; last != alone.begin() && room() < std::ssize(others);) {
+    --last;
+    if (!taken_[last->blob]) left = std::move(last + 1, left, last);
+  }
+  const auto kept = std::copy_n(others.begin(), std::min(room(), std::ssize(others)), left);
   return static_cast<std::size_t>(kept - objects_.begin());
 }
 

@@ -107,6 +107,7 @@ class Recogniser {
   bool looks_anywhere() const;
   std::size_t add_found(const SceneObject& found, std::size_t blob, std::size_t objects);
   std::size_t search_scene(const Frame& frame, std::size_t objects);
+  std::size_t join_found(std::size_t alone_count, std::size_t count);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 
   std::span<const ClassIndex> indexes_;

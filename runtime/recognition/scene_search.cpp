@@ -27,7 +27,6 @@ constexpr float kSamePlace = 0.2F, kSameTurn_cos = 0.96F, kSameView_cos = 0.97F;
 // Of the picture, so large that it says something.
 constexpr float kEnoughArea_px = 1500;
 constexpr int kStartCells = 20, kFinalCells = 40, kRounds = 7, kCorrections = 2;
-constexpr std::size_t kMostRefined = 24;
 constexpr std::size_t kMostInPlace = 3;
 constexpr float kSureMargin = 0.27F;
 // A start that explains less of its key view is not drawn.
@@ -112,6 +111,9 @@ void SceneSearch::see_regions(const SeenScene& scene, const ClassIndex& index) {
   const auto regions = scene.regions->regions;
   const float most_px =
       kMostAreaShare * static_cast<float>(scene.width_px) * static_cast<float>(scene.height_px);
+  const auto is_smaller = [](const SeenRegion& a, const SeenRegion& b) {
+    return a.area_px < b.area_px;
+  };
   region_count_ = 0;
   colours_of_label_[0] = 0;
   for (std::size_t r = 0; r < regions.size(); ++r) {
@@ -122,14 +124,17 @@ void SceneSearch::see_regions(const SeenScene& scene, const ClassIndex& index) {
                   ? 0
                   : colours_near(index.model, region.mean_rgb);
     const auto area = static_cast<float>(region.sums.area);
-    if (colours == 0 || area < kLeastArea_px || area > most_px || region_count_ == kMostRegions)
-      continue;
-    seen_regions_[region_count_++] = {
-        {static_cast<float>(region.box.x + region.sums.x / region.sums.area),
-         static_cast<float>(region.box.y + region.sums.y / region.sums.area)},
-        area,
-        moments_of(region.sums),
-        colours};
+    if (colours == 0 || area < kLeastArea_px || area > most_px) continue;
+    const bool is_full = region_count_ == kMostRegions;
+    SeenRegion& place =
+        is_full ? *std::min_element(seen_regions_.begin(), seen_regions_.end(), is_smaller)
+                : seen_regions_[region_count_++];
+    if (is_full && area <= place.area_px) continue;
+    place = {{static_cast<float>(region.box.x + region.sums.x / region.sums.area),
+              static_cast<float>(region.box.y + region.sums.y / region.sums.area)},
+             area,
+             moments_of(region.sums),
+             colours};
   }
 }
 
@@ -287,12 +292,24 @@ void SceneSearch::pair_up(const SeenScene& scene, std::size_t index_place) {
     }
 }
 
+// Among the best of all indexes.
+void SceneSearch::keep(const Drawn& drawn) {
+  if (drawn_count_ < kMostDrawn) {
+    drawn_[drawn_count_++] = drawn;
+    return;
+  }
+  Drawn& worst =
+      *std::min_element(drawn_.begin(), drawn_.end(),
+                        [](const Drawn& a, const Drawn& b) { return a.margin < b.margin; });
+  if (drawn.margin > worst.margin) worst = drawn;
+}
+
 void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
   const ClassIndex& index = indexes_[index_place];
   const CameraModel& camera = scene.cameras[index_place];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
   const auto draw = [&](const Start& start) {
-    if (drawn_count_ == kMostDrawn || start.score < kWorth) return;
+    if (start.score < kWorth) return;
     const KeyView& view = index.key_views[start.key_view];
     Blob blob;
     blob.centre_px = start.centre_px;
@@ -313,7 +330,7 @@ void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
     const SceneAgreement agreement =
         scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
     drawn.margin = agreement.margin;
-    if (agreement.score >= kHopeful) drawn_[drawn_count_++] = drawn;
+    if (agreement.score >= kHopeful) keep(drawn);
   };
   for (const Start& start : of_pairs_.all()) draw(start);
   for (const Start& start : of_regions_.all()) draw(start);
@@ -370,7 +387,7 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
     return a.start.key_view < b.start.key_view;
   });
   for (const Drawn& d : drawn) {
-    if (found_count_ == kMostRefined) break;
+    if (found_count_ == kMostObjects) break;
     if (!is_taken(scene, d)) refine(scene, d);
   }
   const auto found = std::span(found_).first(found_count_);

@@ -34,7 +34,7 @@ struct SceneObject {
 
 class SceneSearch {
  public:
-  static constexpr std::size_t kMostObjects = 64;
+  static constexpr std::size_t kMostObjects = 24;
 
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
@@ -42,6 +42,7 @@ class SceneSearch {
   std::span<const SceneObject> run(const SeenScene& scene);
 
  private:
+  // Of each, the largest and the best are kept.
   static constexpr std::size_t kMostRegions = 160, kMostStarts = 48, kMostDrawn = 256;
 
   struct SeenRegion {
@@ -79,6 +80,7 @@ class SceneSearch {
                  ColourClass colour);
   static void keep(const ClassIndex& index, const Start& start, Starts& starts);
   float explained(const SeenScene& scene, std::size_t index_place, const Start& start) const;
+  void keep(const Drawn& drawn);
   void draw_starts(const SeenScene& scene, std::size_t index_place);
   bool is_taken(const SeenScene& scene, const Drawn& drawn) const;
   void refine(const SeenScene& scene, const Drawn& drawn);

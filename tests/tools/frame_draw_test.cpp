@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/runtime/recognition/painted_box.h"
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/id_colour.h"
 #include "tools/draw/model_lines.h"
@@ -91,20 +92,7 @@ TEST_CASE("A recognition is drawn over its frame") {
 
 // A cube of side 2 about the origin, every face of its own colour.
 ObjectModel cube() {
-  PaintedModel cube;
-  for (int k = 0; k < 8; ++k)
-    cube.vertices.push_back(
-        {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, (k & 4) != 0 ? 1.0 : -1.0});
-  cube.paints = {{200, 20, 20},  {20, 200, 20},  {20, 20, 200},
-                 {200, 200, 20}, {20, 200, 200}, {200, 20, 200}};
-  const std::array<std::array<std::uint16_t, 4>, 6> faces{
-      {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& [a, b, c, d] = faces[f];
-    cube.triangles.push_back({{a, b, c}, static_cast<std::uint8_t>(f)});
-    cube.triangles.push_back({{a, c, d}, static_cast<std::uint8_t>(f)});
-  }
-  return prepared_model(cube, 3, 60);
+  return prepared_model(painted_box(1, 1, 1), 3, 60);
 }
 
 // Six units before the camera, its face of 200 pixels' side towards it.

@@ -1,6 +1,7 @@
 // The coding of golden frames: what is written is read again, and what was not is refused.
 #include "runtime/recognition/golden_frame.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <random>
@@ -158,6 +159,44 @@ TEST_CASE("a picture whose rows have too many runs is not coded") {
   PalettePicture picture{600, 1, {1, 2, 3, 4, 5, 6}, {}};
   for (int x = 0; x < 600; ++x) picture.colours.push_back(static_cast<std::uint8_t>(1 + x % 2));
   CHECK_FALSE(encode_golden_frame(picture));
+}
+
+TEST_CASE("a picture thinned out keeps every step-th pixel, and no side is longer than asked for") {
+  std::mt19937 random(4);
+  for (int round = 0; round < 150; ++round) {
+    const PalettePicture picture = random_picture(random, SensorKind::colour);
+    const int most_px = 1 + static_cast<int>(random() % 100);
+    const PalettePicture small = thinned_out(picture, most_px);
+    const int longer = std::max(picture.width_px, picture.height_px);
+    // The least step that does.
+    int step = 1;
+    while (step * most_px < longer) ++step;
+    INFO(picture.width_px << " x " << picture.height_px << " to " << most_px);
+    CHECK(std::max(small.width_px, small.height_px) <= most_px);
+    CHECK(small.palette == picture.palette);
+    std::vector<std::uint8_t> colours;
+    int rows = 0;
+    for (int y = 0; y < picture.height_px; ++y) {
+      if (y % step == 0) ++rows;
+      for (int x = 0; x < picture.width_px; ++x)
+        if (x % step == 0 && y % step == 0)
+          colours.push_back(picture.colours[static_cast<std::size_t>(y * picture.width_px + x)]);
+    }
+    CHECK(small.height_px == rows);
+    CHECK(small.width_px * small.height_px == static_cast<int>(colours.size()));
+    CHECK(small.colours == colours);
+  }
+}
+
+TEST_CASE("a picture that is small enough stays as it is") {
+  const PalettePicture picture = straight_borders(40);
+  for (const int most_px : {40, 41, 1000}) {
+    const PalettePicture same = thinned_out(picture, most_px);
+    CHECK((same.width_px == 40 && same.height_px == 40));
+    CHECK(same.colours == picture.colours);
+    CHECK(same.palette == picture.palette);
+  }
+  CHECK(thinned_out(picture, 39).width_px == 20);
 }
 
 }  // namespace aspect

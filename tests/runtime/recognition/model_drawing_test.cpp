@@ -7,28 +7,15 @@
 
 #include "runtime/base/planned_memory.h"
 #include "runtime/recognition/model_borders.h"
+#include "tests/runtime/recognition/painted_box.h"
 
 namespace aspect {
 namespace {
 
 const CameraModel kCamera{500, 510, 320, 240, 0, 0, 0, 0, 0};
 
-// A box of six colours.
-PaintedModel painted_box() {
-  PaintedModel box;
-  for (int k = 0; k < 8; ++k)
-    box.vertices.push_back(
-        {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 0.6 : -0.6, (k & 4) != 0 ? 0.4 : -0.4});
-  box.paints = {{200, 20, 20},  {20, 200, 20},  {20, 20, 200},
-                {200, 200, 20}, {20, 200, 200}, {200, 20, 200}};
-  const std::array<std::array<std::uint16_t, 4>, 6> faces{
-      {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& [a, b, c, d] = faces[f];
-    box.triangles.push_back({{a, b, c}, static_cast<std::uint8_t>(f)});
-    box.triangles.push_back({{a, c, d}, static_cast<std::uint8_t>(f)});
-  }
-  return box;
+ObjectModel box_model() {
+  return prepared_model(painted_box(1, 0.6, 0.4), 3, 60);
 }
 
 struct Seen {
@@ -73,7 +60,7 @@ struct Drawer {
 }  // namespace
 
 TEST_CASE("A drawing shows in each cell what a ray through its centre meets first") {
-  const ObjectModel model = prepared_model(painted_box(), 3, 60);
+  const ObjectModel model = box_model();
   REQUIRE(model.shares.size() == 6);
   Drawer drawer(model.vertices.size());
   std::mt19937 random(6);
@@ -97,14 +84,14 @@ TEST_CASE("A drawing shows in each cell what a ray through its centre meets firs
 }
 
 TEST_CASE("An object behind the camera or around it is not drawn") {
-  const ObjectModel model = prepared_model(painted_box(), 3, 60);
+  const ObjectModel model = box_model();
   Drawer drawer(model.vertices.size());
   CHECK_FALSE(drawer.drawing.draw(model, {{}, {0, 0, -5}}, kCamera, {0, 0, 10, 10}));
   CHECK_FALSE(drawer.drawing.draw(model, {{}, {0, 0, 0}}, kCamera, {0, 0, 10, 10}));
 }
 
 TEST_CASE("Border points lie on borders of what is seen, with the colours of their sides") {
-  const ObjectModel model = prepared_model(painted_box(), 3, 60);
+  const ObjectModel model = box_model();
   Drawer drawer(model.vertices.size());
   std::mt19937 random(7);
   for (int round = 0; round < 30; ++round) {

@@ -16,7 +16,6 @@
 namespace aspect {
 namespace {
 
-constexpr int kLevel = 3;
 constexpr int kSide_px = 512;
 constexpr int kViews = 100;
 
@@ -26,12 +25,6 @@ struct Model {
   ModelCamera camera;
 };
 
-const std::vector<ClassIndex>& indexes() {
-  static const std::vector<ClassIndex> both = {model_index("cube", kLevel),
-                                               model_index("l_shape", kLevel)};
-  return both;
-}
-
 std::vector<Model> models() {
   std::vector<Model> both;
   both.push_back({"cube", 0, ModelCamera("cube")});
@@ -40,7 +33,7 @@ std::vector<Model> models() {
 }
 
 OwnedRecogniser recogniser(int width_px = kSide_px) {
-  return {indexes(), {}, width_px, kSide_px};
+  return {cube_and_l_shape(), {}, width_px, kSide_px};
 }
 
 struct Score {
@@ -181,7 +174,7 @@ TEST_CASE("answers are ordered, within bounds, and each contour is named once") 
           std::set<int> contours, names;
           for (const ContourMatch& m : h.contours) {
             CHECK(m.contour < seen.graph.contours.size());
-            CHECK(m.name < indexes()[h.index].classes[h.class_id].contours.count);
+            CHECK(m.name < cube_and_l_shape()[h.index].classes[h.class_id].contours.count);
             contours.insert(m.contour);
             names.insert(m.name);
           }
@@ -215,7 +208,7 @@ TEST_CASE("a frame larger than was prepared for gives nothing") {
 }
 
 TEST_CASE("ranked by classes, a hundredth of weight decides between classes alike") {
-  const ClassIndex& cube = indexes()[0];
+  const ClassIndex& cube = cube_and_l_shape()[0];
   ClassIndex twice = cube;
   // The second half is the first half once more, each type worth a little more.
   const auto classes = static_cast<std::uint32_t>(cube.classes.size());
