@@ -25,25 +25,6 @@ constexpr std::size_t previous(std::size_t corner) {
   return (corner + 2) % 3;
 }
 
-class BitReader {
- public:
-  explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  std::uint32_t get(int bits) {
-    std::uint32_t value = 0;
-    for (int bit = 0; bit < bits; ++bit, ++used_) {
-      failed = failed || used_ / 8 >= bytes_.size();
-      const std::uint32_t byte = failed ? 0U : bytes_[used_ / 8];
-      value = value << 1U | ((byte >> (7 - used_ % 8)) & 1U);
-    }
-    return value;
-  }
-  bool failed = false;
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  std::size_t used_ = 0;
-};
-
 Vector3d normalised(const Vector3d& v) {
   const double length = norm(v);
   return {v[0] / length, v[1] / length, v[2] / length};
@@ -173,6 +154,26 @@ std::int32_t class_in(const SphereMap::Division& division, const Point& point) {
 }
 
 }  // namespace
+
+// Members: what members are made of must not be without a name outside when sources are joined.
+class SphereMap::BitReader {
+ public:
+  explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  std::uint32_t get(int bits) {
+    std::uint32_t value = 0;
+    for (int bit = 0; bit < bits; ++bit, ++used_) {
+      failed = failed || used_ / 8 >= bytes_.size();
+      const std::uint32_t byte = failed ? 0U : bytes_[used_ / 8];
+      value = value << 1U | ((byte >> (7 - used_ % 8)) & 1U);
+    }
+    return value;
+  }
+  bool failed = false;
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t used_ = 0;
+};
 
 struct SphereMap::Decoder {
   SphereMap& map;

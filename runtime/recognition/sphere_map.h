@@ -81,6 +81,7 @@ class SphereMap {
     // Its class plus one; its division; the first of its four children.
     std::uint32_t number : 30 = 0;
   };
+  class BitReader;
   struct Decoder;
   struct Search;
 
