@@ -17,13 +17,13 @@ namespace {
 constexpr std::array<std::array<float, 3>, 4> kColours{
     {{0.8F, 0.1F, 0.1F}, {0.1F, 0.8F, 0.1F}, {0.1F, 0.1F, 0.8F}, {0.45F, 0.45F, 0.1F}}};
 // What no model has.
-constexpr std::array<float, 3> kGrey{1.0F / 3, 1.0F / 3, 1.0F / 3};
+constexpr std::array<float, 3> kNoColour{1.0F / 3, 1.0F / 3, 1.0F / 3};
 
 // Most contours are of the model's colours, some too small, some in one place.
 ContourFeature random_contour(std::mt19937& random) {
   ContourFeature contour = random_feature(random);
   const std::size_t colour = random() % 5;
-  contour.share = colour < kColours.size() ? kColours[colour] : kGrey;
+  contour.share = colour < kColours.size() ? kColours[colour] : kNoColour;
   const float off = std::uniform_real_distribution<float>(-0.03F, 0.03F)(random);
   contour.share[0] += off;
   contour.share[1] -= off;
@@ -178,7 +178,7 @@ TEST_CASE("the nearest colour of a model is named, the lower one of two as near,
   model.shares.assign(kColours.begin(), kColours.end());
   for (std::size_t k = 0; k < kColours.size(); ++k)
     CHECK(nearest_colour(model, kColours[k]) == static_cast<ColourClass>(k + 1));
-  CHECK(nearest_colour(model, kGrey) == kBackgroundClass);
+  CHECK(nearest_colour(model, kNoColour) == kBackgroundClass);
   model.shares.push_back(kColours[0]);
   CHECK(nearest_colour(model, kColours[0]) == 1);
   CHECK(nearest_colour({}, kColours[0]) == kBackgroundClass);

@@ -15,7 +15,9 @@ namespace {
 constexpr int kWidth_px = 320, kHeight_px = 240, kCells = 40;
 const CameraModel kCamera{400, 410, 160, 120, 0, 0, 0, 0, 0};
 using Rgb = std::array<std::uint8_t, 3>;
-constexpr Rgb kBlack{0, 0, 0}, kGrey{120, 120, 120}, kPaper{160, 150, 140};
+constexpr Rgb kBlack{0, 0, 0};
+constexpr Rgb kGrey{120, 120, 120};
+constexpr Rgb kPaper{160, 150, 140};
 
 const PaintedModel& painted() {
   static const PaintedModel box = painted_box(1, 0.6, 0.4);

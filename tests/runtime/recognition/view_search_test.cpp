@@ -26,7 +26,7 @@ float dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Vector3 random_direction(std::mt19937& random) {
+Vector3 any_direction(std::mt19937& random) {
   std::normal_distribution<float> number;
   const Vector3 d{number(random), number(random), number(random)};
   const float length = std::sqrt(dot(d, d));
@@ -67,7 +67,7 @@ ClassIndex random_index(std::mt19937& random) {
     add_class(index);
     const Features features = random_features(random);
     for (std::size_t v = 1 + random() % kFew; v > 0; --v)
-      add_view(index, random_direction(random),
+      add_view(index, any_direction(random),
                random() % 4 == 0 ? random_features(random) : shaken(features, random));
   }
   return index;
@@ -196,7 +196,7 @@ TEST_CASE("second views take no more room than there is") {
 
 TEST_CASE("a class that is seen from where the best one is comes with half of its score") {
   std::mt19937 random(4);
-  const Vector3 here = random_direction(random), elsewhere{-here[0], -here[1], -here[2]};
+  const Vector3 here = any_direction(random), elsewhere{-here[0], -here[1], -here[2]};
   ClassIndex index;
   Features seen = random_features(random), other = seen;
   for (ContourFeature& f : other) f.share = {0.05F, 0.05F, 0.9F};
