@@ -166,6 +166,7 @@ float best_agreement(const Recognition& seen) {
 RecogniserParameters parameters_of(const ClassIndex& index) {
   RecogniserParameters parameters;
   parameters.vision = index.vision;
+  parameters.anywhere = false;  // of what stands alone
   return parameters;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "runtime/base/portable_math.h"
 #include "tests/rounds.h"
 #include "tests/runtime/recognition/made_index.h"
 
@@ -26,9 +27,16 @@ float dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// Of a mean of 0, the same on all processors, which the library's distributions are not.
+float number_within(float most, std::mt19937& random) {
+  constexpr int kSteps = 20001;
+  const auto step = static_cast<int>(random() % kSteps) - kSteps / 2;
+  return most * static_cast<float>(step) / static_cast<float>(kSteps / 2);
+}
+
 Vector3 any_direction(std::mt19937& random) {
-  std::normal_distribution<float> number;
-  const Vector3 d{number(random), number(random), number(random)};
+  const float x = number_within(1, random), y = number_within(1, random);
+  const Vector3 d{x, y, number_within(1, random)};
   const float length = std::sqrt(dot(d, d));
   return {d[0] / length, d[1] / length, d[2] / length};
 }
@@ -40,9 +48,11 @@ Features random_features(std::mt19937& random) {
 }
 
 Features shaken(Features features, std::mt19937& random) {
-  std::normal_distribution<float> number(0, 0.03F);
-  for (ContourFeature& f : features)
-    f.position = {f.position.x + number(random), f.position.y + number(random)};
+  constexpr float kMost = 0.05F;
+  for (ContourFeature& f : features) {
+    f.position.x += number_within(kMost, random);
+    f.position.y += number_within(kMost, random);
+  }
   return features;
 }
 
@@ -80,10 +90,12 @@ std::span<const KeyContour> contours_of(const ClassIndex& index, const KeyView& 
 // One of the index's views, turned.
 Features seen_of(const ClassIndex& index, std::mt19937& random) {
   const KeyView& view = index.key_views[random() % index.key_views.size()];
-  const float angle = std::uniform_real_distribution<float>(-3, 3)(random);
+  const auto angle = static_cast<double>(number_within(3, random));
+  const auto c = static_cast<float>(portable_cos(angle)),
+             s = static_cast<float>(portable_sin(angle));
   Features seen;
   for (const KeyContour& contour : contours_of(index, view))
-    seen.push_back(turned(contour.feature, std::cos(angle), std::sin(angle)));
+    seen.push_back(turned(contour.feature, c, s));
   return shaken(seen, random);
 }
 
