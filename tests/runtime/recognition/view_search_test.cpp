@@ -76,9 +76,11 @@ ClassIndex random_index(std::mt19937& random) {
   for (std::size_t c = 1 + random() % 5; c > 0; --c) {
     add_class(index);
     const Features features = random_features(random);
-    for (std::size_t v = 1 + random() % kFew; v > 0; --v)
-      add_view(index, any_direction(random),
+    for (std::size_t v = 1 + random() % kFew; v > 0; --v) {
+      const Vector3 direction = any_direction(random);
+      add_view(index, direction,
                random() % 4 == 0 ? random_features(random) : shaken(features, random));
+    }
   }
   return index;
 }
