@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "runtime/base/portable_math.h"
-
 namespace aspect {
 namespace {
 
@@ -66,10 +64,6 @@ ColourClass nearest_colour(const ObjectModel& model, const std::array<float, 3>&
   return nearest;
 }
 
-float pair_size(float area, float squared_distance) {
-  return static_cast<float>(portable_log(static_cast<double>(area / squared_distance)));
-}
-
 void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {
   colour_count_ = index.model.shares.size();
   std::vector<ColourClass> colours(index.key_contours.size());
@@ -102,7 +96,7 @@ void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {
     const float dx = b.position.x - a.position.x, dy = b.position.y - a.position.y;
     pairs_[next[bucket_of(v, i, j)]++] = {
         static_cast<std::uint32_t>(v), static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
-        pair_size(a.area, dx * dx + dy * dy), pair_size(b.area, dx * dx + dy * dy)};
+        a.area / (dx * dx + dy * dy), b.area / (dx * dx + dy * dy)};
   });
 }
 

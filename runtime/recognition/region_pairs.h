@@ -13,7 +13,7 @@ namespace aspect {
 struct RegionPair {
   std::uint32_t key_view = 0;
   std::uint8_t first = 0, second = 0;  // its contours
-  // Logarithms of area / squared distance of the centres.
+  // Area / squared distance of the centres.
   float first_size = 0, second_size = 0;
 };
 
@@ -53,8 +53,5 @@ class RegionPairs {
 
 // The model's colour nearest to a share; kBackgroundClass where none is near.
 ColourClass nearest_colour(const ObjectModel& model, const std::array<float, 3>& share);
-
-// log(area / distance^2).
-float pair_size(float area, float squared_distance);
 
 }  // namespace aspect

@@ -16,8 +16,8 @@ constexpr float kFarthestShare = 0.1F;
 // Two regions are neighbours where their centres are no farther apart than this, in square roots of
 // the sum of their areas.
 constexpr float kFarthest = 3;
-// Differences of pair_size that a step between key views and a rough outline make.
-constexpr float kSizeReach = 0.45F;
+// Factor between sizes that a step between key views and a rough outline make.
+constexpr float kSizeReach = 1.57F;
 // A region alone: its axis must be clear, and its moments the key contour's.
 constexpr std::size_t kMostAlone = 12;
 constexpr float kLeastAlone = 0.6F, kLeastLength = 0.15F, kSpreadReach = 0.08F, kLeastCos = 1e-3F,
@@ -64,6 +64,10 @@ bool shows(const Planes& colours, int x, int y, const std::array<float, 3>& shar
   const float sum = red + green + blue;
   return sum >= kLeastSum && squared_distance({red / sum, green / sum, blue / sum}, share) <
                                  kFarthestShare * kFarthestShare;
+}
+
+bool is_near(float size, float other) {
+  return size < kSizeReach * other && other < kSizeReach * size;
 }
 
 // Where the object's middle is in the picture, and how far it reaches from there.
@@ -200,12 +204,9 @@ void SceneSearch::try_pair(const SeenScene& scene, std::size_t index_place, cons
   const float dx = second.centre_px.x - first.centre_px.x,
               dy = second.centre_px.y - first.centre_px.y;
   const float squared = dx * dx + dy * dy;
-  const float first_size = pair_size(first.area_px, squared),
-              second_size = pair_size(second.area_px, squared);
+  const float first_size = first.area_px / squared, second_size = second.area_px / squared;
   for (const RegionPair& pair : pairs_[index_place].of(first_colour, second_colour)) {
-    if (std::abs(pair.first_size - first_size) > kSizeReach ||
-        std::abs(pair.second_size - second_size) > kSizeReach)
-      continue;
+    if (!is_near(pair.first_size, first_size) || !is_near(pair.second_size, second_size)) continue;
     const IndexRange range = index.key_views[pair.key_view].contours;
     const ContourFeature &a = index.key_contours[range.first + pair.first].feature,
                          &b = index.key_contours[range.first + pair.second].feature;

@@ -91,7 +91,7 @@ std::map<Bucket, std::vector<Pair>> plain_pairs(const ClassIndex& index) {
 double plain_size(const ContourFeature& contour, const ContourFeature& a, const ContourFeature& b) {
   const double x = static_cast<double>(a.position.x) - static_cast<double>(b.position.x),
                y = static_cast<double>(a.position.y) - static_cast<double>(b.position.y);
-  return std::log(static_cast<double>(contour.area) / (x * x + y * y));
+  return static_cast<double>(contour.area) / (x * x + y * y);
 }
 
 void check_sizes(const ClassIndex& index, std::span<const RegionPair> pairs) {
