@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runtime/recognition/seen_colours.h"
+
 namespace aspect {
 namespace {
 
@@ -50,18 +52,8 @@ void add_up(std::span<std::uint32_t> counts) {
 }  // namespace
 
 ColourClass nearest_colour(const ObjectModel& model, const std::array<float, 3>& share) {
-  constexpr float kFarthest = 0.12F;
-  ColourClass nearest = kBackgroundClass;
-  float least = kFarthest * kFarthest;
-  for (std::size_t k = 0; k < model.shares.size(); ++k) {
-    float distance = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      distance += (share[c] - model.shares[k][c]) * (share[c] - model.shares[k][c]);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = static_cast<ColourClass>(k + 1);
-  }
-  return nearest;
+  const std::size_t nearest = nearest_share(model.shares, share);
+  return nearest == model.shares.size() ? kBackgroundClass : static_cast<ColourClass>(nearest + 1);
 }
 
 void RegionPairs::prepare(Arena& arena, const ClassIndex& index) {

@@ -35,12 +35,6 @@ constexpr float kWorth = 0.25F;
 constexpr float kHopeful = 0.35F;
 constexpr float kPlaceShare = 0.4F;
 
-float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
-  float sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
-
 std::uint64_t colours_near(const ObjectModel& model, const std::array<float, 3>& rgb) {
   const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
   const std::array<float, 3> share{rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
@@ -151,11 +145,9 @@ float SceneSearch::explained(const SeenScene& scene, std::size_t index_place,
   for (std::uint32_t k = 0; k < range.count; ++k) {
     const ContourFeature& contour = index.key_contours[range.first + k].feature;
     all += contour.area;
-    const Point2 p = contour.position;
-    const int x = static_cast<int>(start.centre_px.x +
-                                   start.scale_px * (start.cos * p.x - start.sin * p.y) + 0.5F),
-              y = static_cast<int>(start.centre_px.y +
-                                   start.scale_px * (start.sin * p.x + start.cos * p.y) + 0.5F);
+    const Point2 p = start.laid(contour.position);
+    const int x = static_cast<int>(start.centre_px.x + p.x + 0.5F),
+              y = static_cast<int>(start.centre_px.y + p.y + 0.5F);
     const Box& active = scene.regions->active;
     if (x < active.x || y < active.y || x >= active.x + active.width ||
         y >= active.y + active.height)
@@ -218,9 +210,8 @@ void SceneSearch::try_pair(const SeenScene& scene, std::size_t index_place, cons
     const float length = std::sqrt(squared * key_squared);
     start.cos = (dx * kx + dy * ky) / length;
     start.sin = (dy * kx - dx * ky) / length;
-    start.centre_px = {
-        first.centre_px.x - start.scale_px * (start.cos * a.position.x - start.sin * a.position.y),
-        first.centre_px.y - start.scale_px * (start.sin * a.position.x + start.cos * a.position.y)};
+    const Point2 p = start.laid(a.position);
+    start.centre_px = {first.centre_px.x - p.x, first.centre_px.y - p.y};
     start.score = explained(scene, index_place, start);
     keep(index, start, of_pairs_);
   }
@@ -258,9 +249,8 @@ void SceneSearch::try_alone(const SeenScene& scene, std::size_t index_place,
       if (xxx * xxx + 3 * xxy * xxy + 3 * xyy * xyy + yyy * yyy > kThirdReach * kThirdReach)
         continue;
       start.scale_px = std::sqrt(region.area_px / feature.area);
-      const Point2 p = feature.position;
-      start.centre_px = {region.centre_px.x - start.scale_px * (start.cos * p.x - start.sin * p.y),
-                         region.centre_px.y - start.scale_px * (start.sin * p.x + start.cos * p.y)};
+      const Point2 p = start.laid(feature.position);
+      start.centre_px = {region.centre_px.x - p.x, region.centre_px.y - p.y};
       start.score = explained(scene, index_place, start);
       if (start.score >= kLeastAlone) keep(index, start, of_regions_);
     }
@@ -318,13 +308,13 @@ void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
     const int side = static_cast<int>(2 * start.scale_px);
     blob.box = {static_cast<int>(start.centre_px.x) - side / 2,
                 static_cast<int>(start.centre_px.y) - side / 2, side, side};
-    const float roll_rad = static_cast<float>(
-        portable_atan2(static_cast<double>(start.sin), static_cast<double>(start.cos)));
     Drawn drawn;
+    drawn.roll_rad = static_cast<float>(
+        portable_atan2(static_cast<double>(start.sin), static_cast<double>(start.cos)));
     drawn.index = static_cast<std::uint16_t>(index_place);
-    drawn.start = start;
-    drawn.pose = finder_.start(index, {view.direction, view.direction, roll_rad, {}}, camera, blob,
-                               kCorrections);
+    drawn.key_view = start.key_view;
+    drawn.pose = finder_.start(index, {view.direction, view.direction, drawn.roll_rad, {}}, camera,
+                               blob, kCorrections);
     if (!scratch_.drawing.draw_alone(index.model, drawn.pose, camera, scene.width_px,
                                      scene.height_px, kStartCells))
       return;
@@ -359,7 +349,7 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
   SceneObject& object = found_[found_count_];
   object = {};
   object.index = drawn.index;
-  object.key_view = drawn.start.key_view;
+  object.key_view = drawn.key_view;
   object.refined =
       refine_pose(index.model, camera, seen_colours_, box_around(place), drawn.pose, kRounds,
                   std::max(kLeastReach_px, kReach * place.radius_px), scratch_, Behind::anything);
@@ -368,8 +358,7 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
     return;
   object.agreement =
       scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px);
-  object.roll_rad = static_cast<float>(
-      portable_atan2(static_cast<double>(drawn.start.sin), static_cast<double>(drawn.start.cos)));
+  object.roll_rad = drawn.roll_rad;
   ++found_count_;
 }
 
@@ -385,7 +374,7 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
     if (a.margin != b.margin) return a.margin > b.margin;
     if (a.index != b.index) return a.index < b.index;
-    return a.start.key_view < b.start.key_view;
+    return a.key_view < b.key_view;
   });
   for (const Drawn& d : drawn) {
     if (found_count_ == kMostObjects) break;

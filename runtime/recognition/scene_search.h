@@ -57,6 +57,11 @@ class SceneSearch {
     std::uint32_t key_view = 0;
     Point2 centre_px;
     float scale_px = 0, cos = 1, sin = 0;
+
+    // From the blob's centre to a place of the key view, in the frame.
+    Point2 laid(const Point2& p) const {
+      return {scale_px * (cos * p.x - sin * p.y), scale_px * (sin * p.x + cos * p.y)};
+    }
   };
   struct Starts {
     std::array<Start, kMostStarts> list{};
@@ -67,7 +72,8 @@ class SceneSearch {
   // The same as a pose that was drawn.
   struct Drawn {
     std::uint16_t index = 0;
-    Start start;
+    std::uint32_t key_view = 0;
+    float roll_rad = 0;
     RigidPose pose;
     float margin = 0;  // see SceneAgreement
   };

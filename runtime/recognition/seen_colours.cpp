@@ -13,13 +13,26 @@ bool holds(const Box& box, int x, int y) {
   return x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height;
 }
 
+}  // namespace
+
 float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   float sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
   return sum;
 }
 
-}  // namespace
+std::size_t nearest_share(std::span<const std::array<float, 3>> shares,
+                          const std::array<float, 3>& share) {
+  std::size_t nearest = shares.size();
+  float least = kFarthestShare * kFarthestShare;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    const float distance = squared_distance(share, shares[k]);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = k;
+  }
+  return nearest;
+}
 
 std::array<float, 3> lit(const std::array<float, 3>& share, const LightGain& light) {
   const std::array<float, 3> c{share[0] * light.rgb[0], share[1] * light.rgb[1],
@@ -46,15 +59,8 @@ void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob
 ColourClass SeenColours::nearest_to(const std::array<float, 3>& rgb) const {
   const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
   const std::array<float, 3> share{rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
-  ColourClass named = kOther;
-  float nearest = kFarthestShare * kFarthestShare;
-  for (std::size_t k = 0; k < colour_count_; ++k) {
-    const float distance = squared_distance(share, expected_[k]);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    named = static_cast<ColourClass>(k + 1);
-  }
-  return named;
+  const std::size_t nearest = nearest_share(std::span(expected_).first(colour_count_), share);
+  return nearest == colour_count_ ? kOther : static_cast<ColourClass>(nearest + 1);
 }
 
 ColourClass SeenColours::at_pixel(float x_px, float y_px) const {

@@ -19,6 +19,12 @@ struct LightGain {
   std::array<float, 3> rgb{1, 1, 1};
 };
 
+float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b);
+
+// The place of the share that is nearest; shares.size() where none is near enough to be named.
+std::size_t nearest_share(std::span<const std::array<float, 3>> shares,
+                          const std::array<float, 3>& share);
+
 std::array<float, 3> lit(const std::array<float, 3>& share, const LightGain& light);
 
 class SeenColours {
