@@ -32,8 +32,9 @@ ColourGap colour_gap(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const double step = vision.chroma_step + vision.noise_steps * 255 / std::max(darker, 1.0);
   if (!is_seen) return {0, step};
   const ColourGap shares{255 * (a / a.sum() - b / b.sum()).cwiseAbs().maxCoeff(), step};
-  const bool by_brightness =
-      vision.intensity_step < kAnyIntensityStep && brightness.separation() > shares.separation();
+  const bool by_brightness = vision.intensity_step > 0 &&
+                             vision.intensity_step < kAnyIntensityStep &&
+                             brightness.separation() > shares.separation();
   return by_brightness ? brightness : shares;
 }
 

@@ -28,7 +28,7 @@ std::optional<Error> read_segmentation(const toml::table& table, const std::stri
   reader.read("intensity_min", {0, 765}, overrides.intensity_min);
   reader.read("chroma_step", {1, 255}, overrides.chroma_step);
   reader.read("noise_steps", {0, 255}, overrides.noise_steps);
-  reader.read("intensity_step", {1, 765}, overrides.intensity_step);
+  reader.read("intensity_step", {0, 765}, overrides.intensity_step);
   reader.read("area_min_px", {1, kMaxPixels}, overrides.area_min_px);
   reader.read("thickness_min_px", {0, kMaxFrameSide_px}, overrides.thickness_min_px);
   reader.read("smooth", overrides.smooth);

@@ -76,8 +76,9 @@ void share_row(const Byte* red, const Byte* green, const Byte* blue, int width,
 void intensity_row(const Byte* red, const Byte* green, const Byte* blue, int width,
                    Byte* __restrict intensity) {
   for (int x = 0; x < width; ++x) {
-    const auto sum = static_cast<std::uint16_t>(red[x] + green[x] + blue[x]);
-    intensity[x] = static_cast<Byte>((sum * 21846U) >> 16U);
+    const Byte most = std::max(std::max(red[x], green[x]), blue[x]);
+    const auto five = static_cast<std::uint16_t>(red[x] + green[x] + blue[x] + 2 * most);
+    intensity[x] = static_cast<Byte>((five * 13108U) >> 16U);
   }
 }
 

@@ -17,10 +17,13 @@ constexpr int kBlurLayers = 3;
 // end unless it turns back on itself more often.
 constexpr int kThreadPasses = 3;
 
-// More than shares can differ by: of two regions, the one of the pixel's own intensity is taken.
-constexpr int kOtherIntensity = 256;
+// Of two regions of one colour the one of the pixel's own brightness is taken; of others, colour
+// says more, since shading changes brightness within a region.
+constexpr int kBrightnessDivisor = 2;
+constexpr int kAnyIntensityStep = 765;
 
-constexpr std::uint8_t kNoSide = 0, kLeft = 1, kRight = 2, kUp = 3, kDown = 4;
+// Marks labels that the layer at work gives: the layer after it builds on them, it does not.
+constexpr std::uint16_t kNew = 0x8000;
 
 int difference(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
@@ -35,45 +38,42 @@ struct RegionGrowth::Growing {
   const VisionParameters& parameters;
   LabelPicture picture;
   std::span<std::uint16_t> parent;
+  bool parts_by_brightness = true;
 
   std::size_t place(Pixel p) const {
     return static_cast<std::size_t>(p.y * picture.stride_px + p.x);
   }
 
-  // Calls visit(label, side) for the labels of the four neighbours.
+  // Calls visit(label) for those of the four neighbours that have one.
   template <typename Visit>
   void each_neighbour(Pixel p, Visit&& visit) const {
     const Box& box = picture.active;
     const std::uint16_t* at = picture.labels.data() + place(p);
-    if (p.x > box.x) visit(at[-1], kLeft);
-    if (p.x + 1 < box.x + box.width) visit(at[1], kRight);
-    if (p.y > box.y) visit(at[-picture.stride_px], kUp);
-    if (p.y + 1 < box.y + box.height) visit(at[picture.stride_px], kDown);
-  }
-
-  // Its own, none, where it has no side.
-  std::uint16_t label_beside(Pixel p) const {
-    const std::uint16_t* at = picture.labels.data() + place(p);
-    const std::array<int, 5> step = {0, -1, 1, -picture.stride_px, picture.stride_px};
-    return at[step[p.side]];
+    const auto see = [&](std::uint16_t label) {
+      if (label != 0 && label < kNew) visit(label);
+    };
+    if (p.x > box.x) see(at[-1]);
+    if (p.x + 1 < box.x + box.width) see(at[1]);
+    if (p.y > box.y) see(at[-picture.stride_px]);
+    if (p.y + 1 < box.y + box.height) see(at[picture.stride_px]);
   }
 
   // Without a neighbour that has a label, its shares are not looked up.
   bool is_beside_a_region(Pixel p) const {
-    unsigned labels = 0;
-    each_neighbour(p, [&](std::uint16_t label, std::uint8_t) { labels |= label; });
-    return labels != 0;
+    bool is_beside = false;
+    each_neighbour(p, [&](std::uint16_t) { is_beside = true; });
+    return is_beside;
   }
 
   Neighbour most_alike(Pixel p, const PixelShares& own) const {
     Neighbour best;
-    each_neighbour(p, [&](std::uint16_t label, std::uint8_t side) {
-      if (label == 0 || label == best.label) return;
+    each_neighbour(p, [&](std::uint16_t label) {
+      if (label == best.label) return;
       const CoreColour& core = cores[label - 1U];
-      const bool level = same_intensity(own.intensity, core.intensity);
-      const int distance = difference(own.share, core.share) + (level ? 0 : kOtherIntensity);
+      const int brightness = parts_by_brightness ? std::abs(own.intensity - core.intensity) : 0;
+      const int distance = difference(own.share, core.share) + brightness / kBrightnessDivisor;
       if (distance < best.difference || (distance == best.difference && label < best.label))
-        best = {label, side, distance};
+        best = {label, distance};
     });
     return best;
   }
@@ -93,8 +93,8 @@ struct RegionGrowth::Growing {
   }
 
   void join_alike_neighbours(Pixel p, std::uint16_t label) const {
-    each_neighbour(p, [&](std::uint16_t other, std::uint8_t) {
-      if (other == 0 || other == label) return;
+    each_neighbour(p, [&](std::uint16_t other) {
+      if (other == label) return;
       const CoreColour &a = cores[label - 1U], &b = cores[other - 1U];
       if (difference(a.share, b.share) > parameters.chroma_step ||
           !same_intensity(a.intensity, b.intensity))
@@ -114,8 +114,29 @@ struct RegionGrowth::Growing {
     join_alike_neighbours(p, label);
   }
 
-  std::uint8_t side_to_follow(Pixel p) const {
-    return is_beside_a_region(p) ? most_alike(p, shares.pixel(place(p))).side : kNoSide;
+  void take_most_alike(Pixel p) const {
+    std::uint16_t& label = picture.labels[place(p)];
+    if (label != 0 || !is_beside_a_region(p)) return;
+    label = most_alike(p, shares.pixel(place(p))).label | kNew;
+  }
+
+  // Pixels of a row, in their order.
+  template <typename Step>
+  void forwards(const WaitingRun& run, Step&& step) const {
+    for (int x = run.begin; x < run.end; ++x) step(Pixel{x, run.row});
+  }
+
+  template <typename Step>
+  void backwards(const WaitingRun& run, Step&& step) const {
+    for (int x = run.end; x-- > run.begin;) step(Pixel{x, run.row});
+  }
+
+  // Takes the pixels with a label off both ends; false where none without one is left.
+  bool shorten(WaitingRun& run) const {
+    const std::uint16_t* row = picture.labels.data() + run.row * picture.stride_px;
+    while (run.begin < run.end && row[run.begin] != 0) ++run.begin;
+    while (run.begin < run.end && row[run.end - 1] != 0) --run.end;
+    return run.begin < run.end;
   }
 };
 
@@ -124,38 +145,44 @@ void RegionGrowth::take(Arena& arena, int width_px, int height_px) {
   constexpr std::size_t kSpare = 256;
   const std::size_t pixels =
       static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
-  room_ = pixels / kWaitingPixelDivisor;
-  pending_ = arena.take<Pixel>(room_ + kSpare);
+  room_ = pixels / kWaitingRunsDivisor;
+  waiting_ = arena.take<WaitingRun>(room_ + kSpare);
   parent_ = arena.take<std::uint16_t>(kMaxRegions + 1);
 }
 
-void RegionGrowth::wait(int y, int begin, int end) {
-  for (int x = begin; x < end && pending_count_ < room_; ++x) {
-    Pixel& pixel = pending_[pending_count_++];
-    pixel.x = static_cast<std::uint16_t>(x);
-    pixel.y = static_cast<std::uint16_t>(y) & 0x1FFFU;
-  }
+void RegionGrowth::wait(int y, int begin, int end, bool is_flat) {
+  if (waiting_count_ < room_)
+    waiting_[waiting_count_++] = {
+        static_cast<std::uint16_t>(y & 0x7FFF), static_cast<std::uint16_t>(is_flat),
+        static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end)};
 }
 
 void RegionGrowth::run(const ShareRows& shares, std::span<const CoreColour> cores,
                        const VisionParameters& parameters, LabelPicture picture) {
-  const Growing growing{shares, cores, parameters, picture, parent_};
+  const Growing growing{shares,  cores,   parameters,
+                        picture, parent_, parameters.intensity_step < kAnyIntensityStep};
   std::iota(parent_.begin(), parent_.end(), std::uint16_t{0});
-  const auto waiting = pending_.first(pending_count_);
+  auto waiting = waiting_.first(waiting_count_);
+  const auto forget_labelled = [&] {
+    const auto end = std::remove_if(waiting.begin(), waiting.end(),
+                                    [&](WaitingRun& run) { return !growing.shorten(run); });
+    waiting = waiting.first(static_cast<std::size_t>(end - waiting.begin()));
+  };
+  const auto follow = [&](Pixel p) { growing.follow(p); };
   for (int pass = 0; pass < kThreadPasses; ++pass) {
     if (pass % 2 == 0)
-      std::for_each(waiting.begin(), waiting.end(), [&](Pixel p) { growing.follow(p); });
+      for (const WaitingRun& run : waiting) growing.forwards(run, follow);
     else
-      std::for_each(waiting.rbegin(), waiting.rend(), [&](Pixel p) { growing.follow(p); });
+      for (std::size_t k = waiting.size(); k-- > 0;) growing.backwards(waiting[k], follow);
+    forget_labelled();
   }
-  const auto labelled = [&](Pixel p) { return picture.labels[growing.place(p)] != 0; };
-  auto end = std::remove_if(waiting.begin(), waiting.end(), labelled);
   for (int layer = 0; layer < kBlurLayers; ++layer) {
-    const auto rest = std::span(waiting.begin(), end);
-    for (Pixel& p : rest) p.side = growing.side_to_follow(p) & 7U;
-    // Neighbours that had a label have it still: only pixels without one get one.
-    for (const Pixel& p : rest) picture.labels[growing.place(p)] = growing.label_beside(p);
-    end = std::remove_if(rest.begin(), rest.end(), labelled);
+    // What is flat is no mixture of the colours beside it.
+    for (const WaitingRun& run : waiting)
+      if (run.is_flat == 0) growing.forwards(run, [&](Pixel p) { growing.take_most_alike(p); });
+    for (const WaitingRun& run : waiting)
+      growing.forwards(run, [&](Pixel p) { picture.labels[growing.place(p)] &= kNew - 1U; });
+    forget_labelled();
   }
 }
 

@@ -31,10 +31,11 @@ class RegionGrowth {
  public:
   void take(Arena& arena, int width_px, int height_px);
 
-  void begin() { pending_count_ = 0; }
+  void begin() { waiting_count_ = 0; }
 
-  // Foreground pixels [begin, end) of a row that have no label. Those that find no room keep none.
-  void wait(int y, int begin, int end);
+  // Foreground pixels [begin, end) of a row that have no label: of a border, or of a flat patch too
+  // small for a region. Those that find no room keep none.
+  void wait(int y, int begin, int end, bool is_flat);
 
   // First every waiting pixel that has the colour of a region next to it joins that region, however
   // far that leads; regions of one colour that meet in this way become one (see joined). Then the
@@ -44,30 +45,31 @@ class RegionGrowth {
 
   // Memory that the next begin() takes back.
   std::span<std::uint8_t> idle_memory() const {
-    return {reinterpret_cast<std::uint8_t*>(pending_.data()), pending_.size_bytes()};
+    return {reinterpret_cast<std::uint8_t*>(waiting_.data()), waiting_.size_bytes()};
   }
 
   // The label that stands for this one after run(): the lowest of its joined regions.
   std::uint16_t joined(std::uint16_t label) const;
 
  private:
-  // Four bytes, of which a crowded frame has one for every pixel.
   struct Pixel {
-    std::uint16_t x = 0;
-    std::uint16_t y : 13 = 0;
-    std::uint16_t side : 3 = 0;  // of the neighbour that the layer takes its label from
+    int x = 0, y = 0;
   };
-  static_assert(kMaxFrameSide_px <= 1 << 13);
+  struct WaitingRun {
+    std::uint16_t row : 15 = 0;
+    std::uint16_t is_flat : 1 = 0;
+    std::uint16_t begin = 0, end = 0;
+  };
+  static_assert(kMaxFrameSide_px <= 1 << 15);
   struct Neighbour {
     std::uint16_t label = 0;
-    std::uint8_t side = 0;
     int difference = 512;  // largest of the three shares', and more where intensities differ
   };
   struct Growing;
 
-  std::span<Pixel> pending_;
+  std::span<WaitingRun> waiting_;
   std::span<std::uint16_t> parent_;  // by label
-  std::size_t room_ = 0, pending_count_ = 0;
+  std::size_t room_ = 0, waiting_count_ = 0;
 };
 
 }  // namespace aspect

@@ -166,7 +166,8 @@ void Segmenter::measure_cores(std::span<const ComponentRun> runs, const Enhanced
     }
     for (std::size_t channel = 0; channel < 3; ++channel)
       colours_[k].share[channel] = static_cast<Byte>(255 * core.rgb[channel] / core.sum());
-    colours_[k].intensity = static_cast<Byte>(core.sum() / (3 * core.area));
+    colours_[k].intensity = static_cast<Byte>(
+        (core.sum() + 2 * std::max({core.rgb[0], core.rgb[1], core.rgb[2]})) / (5 * core.area));
   }
 }
 
@@ -175,7 +176,7 @@ void Segmenter::wait_in_row(int y, const Byte* border) {
   const int end = active_.x + active_.width;
   for (int x = end_of_bytes(border, active_.x, end, 0); x < end;) {
     const int stop = end_of_bytes(border, x, end, 255);
-    growth_.wait(y, x, stop);
+    growth_.wait(y, x, stop, false);
     x = end_of_bytes(border, stop, end, 0);
   }
 }
@@ -197,7 +198,7 @@ void Segmenter::paint_cores(std::span<const ComponentRun> runs) {
     wait_in_row(y, border);
   }
   for (const Run& run : runs)
-    if (run.label == 0) growth_.wait(run.row, run.begin, run.end);
+    if (run.label == 0) growth_.wait(run.row, run.begin, run.end, true);
 }
 
 // Labels without a run would keep the number of a core.

@@ -92,7 +92,7 @@ PixelShares ShareRows::pixel(std::size_t place) const {
     return static_cast<std::uint8_t>(value * factor >> 16U);
   };
   return {{share(red), share(green), share(blue)},
-          static_cast<std::uint8_t>(sum / 3),
+          static_cast<std::uint8_t>((sum + 2U * std::max({red, green, blue})) / 5),
           tolerance_of_sum_[sum]};
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "runtime/vision/attributes.h"
+#include "runtime/vision/brightness_edges.h"
 #include "runtime/vision/enhance.h"
 #include "runtime/vision/relations.h"
 #include "runtime/vision/sensor_colour.h"
@@ -37,9 +38,11 @@ std::size_t keep_largest(std::span<Contour> contours, std::size_t most) {
 
 // What segmentation goes by: codes have no intensities, and regions whose cores do not touch are
 // one only where their codes are the same to the last steps.
-VisionParameters cutting_parameters(VisionParameters parameters) {
+VisionParameters cutting_parameters(VisionParameters parameters, const Planes& planes) {
   constexpr int kSamePlaneSteps = 2, kAnyIntensity = 765;
   const bool range = parameters.sensor == SensorKind::range;
+  if (parameters.intensity_step == 0)
+    parameters.intensity_step = measured_intensity_step(planes, parameters.intensity_min);
   if (!range && parameters.sensor != SensorKind::surface) return parameters;
   parameters.chroma_step = range ? kSamePlaneSteps : 0;
   parameters.intensity_step = kAnyIntensity;
@@ -92,7 +95,7 @@ ViewGraph Vision::run(const Frame& frame, const VisionParameters& parameters) no
   const bool has_colours = sensor_ == SensorKind::colour || sensor_ == SensorKind::grey;
   if (!(has_colours ? see_colours(frame, parameters) : see_codes(frame, parameters))) return {};
   const auto enhanced = Clock::now();
-  regions_ = segmenter_.run(enhanced_, cutting_parameters(parameters));
+  regions_ = segmenter_.run(enhanced_, cutting_parameters(parameters, colours_));
   const auto segmented = Clock::now();
   const ViewGraph graph = build_graph(parameters);
   times_.segment = segmented - enhanced;

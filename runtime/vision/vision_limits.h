@@ -13,6 +13,6 @@ inline constexpr int kMaxBlobContours = 48;            // contours of a blob
 inline constexpr int kMaxRelations = 16 * 1024;        // of a frame
 inline constexpr int kRunsPerPixelDivisor = 8;         // runs: an eighth of the pixels
 inline constexpr int kRegionRunsPerPixelDivisor = 12;  // of regions, once small ones have grown
-inline constexpr int kWaitingPixelDivisor = 4;         // pixels between cores: a quarter of all
+inline constexpr int kWaitingRunsDivisor = 6;          // runs between cores: a sixth of the pixels
 
 }  // namespace aspect

@@ -55,9 +55,10 @@ struct VisionParameters {
   // 0 for noise-free pictures, typical 3 for cameras.
   int noise_steps = 3;
 
-  // Largest step of r + g + b between neighbouring pixels of one region, 765: any. Needed only
-  // where surfaces differ in grey alone; shading then breaks up.
-  int intensity_step = 765;
+  // Largest step of three times the brightness, 0.6 (r + g + b + 2 max(r, g, b)), between pixels
+  // of one region that are two apart; of grey it is r + g + b. 0: as the picture's noise allows,
+  // 15 to 90; 765: any, so that only colours part regions. Higher joins what shading parts.
+  int intensity_step = 0;
 
   // Smaller regions are discarded. Typical 40 at 512 x 512.
   int area_min_px = 40;

@@ -259,7 +259,8 @@ TEST_CASE("Pictures of the stages and overlays are written") {
   CHECK(outcome.exit_code == 0);
   const fs::path top = replay.folder().path();
   for (const char* name : {"dumped/deep/000001_1_input.png", "dumped/deep/000001_2_regions.png",
-                           "dumped/deep/000002_3_overlay.png", "drawn/000002_2.png"})
+                           "dumped/deep/000002_3_overlay.png", "dumped/deep/000002_4_numbers.png",
+                           "drawn/000002_2.png"})
     CHECK_FALSE(cv::imread((top / name).native()).empty());
 
   replay.folder().write("file", "x");

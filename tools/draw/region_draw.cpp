@@ -6,11 +6,9 @@
 #include "tools/draw/id_colour.h"
 
 namespace aspect {
-namespace {
 
-cv::Mat false_colours(const RegionMap& map, int width_px, int height_px) {
-  const cv::Scalar background(28, 28, 28);
-  cv::Mat picture(height_px, width_px, CV_8UC3, background);
+cv::Mat draw_regions(const RegionMap& map, int width_px, int height_px) {
+  cv::Mat picture(height_px, width_px, CV_8UC3, cv::Scalar(0, 0, 0));
   for (const Run& run : map.runs) {
     if (run.label == 0) continue;
     picture(cv::Rect(run.begin, run.row, run.end - run.begin, 1)).setTo(id_colour(run.label));
@@ -18,10 +16,9 @@ cv::Mat false_colours(const RegionMap& map, int width_px, int height_px) {
   return picture;
 }
 
-}  // namespace
-
-cv::Mat draw_regions(const RegionMap& map, const ViewGraph& graph, int width_px, int height_px) {
-  FrameCanvas canvas(false_colours(map, width_px, height_px));
+cv::Mat draw_numbered_regions(const RegionMap& map, const ViewGraph& graph, int width_px,
+                              int height_px) {
+  FrameCanvas canvas(draw_regions(map, width_px, height_px));
   const TextStyle style = canvas.text_style();
   LabelPlacer labels(canvas.picture());
   for (std::size_t k = 0; k < graph.contours.size(); ++k) {

@@ -145,8 +145,10 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
   app.add_option("--overlay", raw.overlay,
                  "write frames with what was seen drawn over, NNNNNN_NAME.png")
       ->type_name("FOLDER");
-  app.add_option("--dump", raw.dump,
-                 "write a picture a stage: NNNNNN_1_input.png, _2_regions, _3_overlay")
+  app.add_option(
+         "--dump", raw.dump,
+         "write a picture a stage: NNNNNN_1_input.png, _2_regions (one colour each, black: none), "
+         "_3_overlay, _4_numbers (of the contours)")
       ->type_name("FOLDER");
   app.add_option_function<std::string>(
          "--explain", [&raw](const std::string& name) { raw.options.explain = name; },

@@ -63,9 +63,11 @@ std::optional<Error> StagePictures::write(const CapturedFrame& frame,
     return *dump_folder_ / fmt::format("{:06}_{}.png", frame.sequence, name);
   };
   if (auto error = write_picture(stage("1_input"), picture_of(view))) return error;
-  const cv::Mat map = draw_regions(regions, recognition.graph, frame.width_px, frame.height_px);
+  const cv::Mat map = draw_regions(regions, frame.width_px, frame.height_px);
   if (auto error = write_picture(stage("2_regions"), map)) return error;
-  return write_picture(stage("3_overlay"), overlay);
+  if (auto error = write_picture(stage("3_overlay"), overlay)) return error;
+  return write_picture(stage("4_numbers"), draw_numbered_regions(regions, recognition.graph,
+                                                                 frame.width_px, frame.height_px));
 }
 
 std::string overlay_name(const CapturedFrame& frame) {

@@ -61,7 +61,10 @@ TEST_CASE("a recogniser that has been made wrong fails") {
     return result_after(change).outcome == Outcome::failed;
   };
   CHECK(fails([](ClassIndex& i) { i.vision.intensity_min = 765; }));  // sees nothing
-  CHECK(fails([](ClassIndex& i) { i.vision.chroma_step = 255; }));    // one region
+  CHECK(fails([](ClassIndex& i) {                                     // one region
+    i.vision.chroma_step = 255;
+    i.vision.intensity_step = 765;
+  }));
   CHECK(fails([](ClassIndex& i) { i.vision.area_min_px = 100000; }));
   CHECK(fails([](ClassIndex& i) { std::fill(i.types.begin(), i.types.end(), TypeAttributes{}); }));
   CHECK(fails([](ClassIndex& i) {

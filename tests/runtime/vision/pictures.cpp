@@ -95,6 +95,7 @@ ViewGraph OwnedVision::run(const cv::Mat& picture, const VisionParameters& param
 VisionParameters exact_parameters() {
   VisionParameters parameters;
   parameters.smooth = false;
+  parameters.intensity_step = 765;
   parameters.area_min_px = 24;
   parameters.thickness_min_px = 3;
   return parameters;

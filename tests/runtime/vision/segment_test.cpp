@@ -26,7 +26,7 @@ VisionParameters with_median() {
 
 cv::Mat labels_of(const cv::Mat& picture, const VisionParameters& parameters) {
   // Noise has more runs than a picture of its size is expected to have.
-  OwnedVision vision(picture.cols, 2 * picture.rows);
+  OwnedVision vision(picture.cols, 3 * picture.rows);
   vision.run(picture, parameters);
   REQUIRE(vision.regions().dropped_regions == 0);
   return label_picture(vision.regions(), picture.size());
@@ -190,8 +190,38 @@ TEST_CASE("one colour at two brightnesses is one region, and two with an intensi
   REQUIRE(areas_of(picture, parameters) == std::vector<double>{6000});
   parameters.intensity_step = 60;
   REQUIRE(areas_of(picture, parameters) == std::vector<double>{3000, 3000});
-  parameters.intensity_step = 185;
+  parameters.intensity_step = 230;
   REQUIRE(areas_of(picture, parameters) == std::vector<double>{6000});
+}
+
+TEST_CASE("dark gaps part surfaces of one colour, sharp or blurred") {
+  for (const double sigma : {0.0, 0.8, 1.6}) {
+    cv::Mat picture = cv::Mat::zeros(120, 120, CV_8UC3);
+    picture.setTo(cv::Scalar(24, 18, 18));
+    for (int k = 0; k < 9; ++k)
+      picture(cv::Rect(8 + 36 * (k % 3), 8 + 36 * (k / 3), 30, 30)) = cv::Scalar(180, 30, 25);
+    if (sigma > 0) cv::GaussianBlur(picture, picture, {}, sigma);
+    const std::vector<double> areas = areas_of(picture, {});
+    CHECK(std::count_if(areas.begin(), areas.end(),
+                        [](double area) { return area > 700 && area < 1100; }) == 9);
+  }
+}
+
+TEST_CASE("faces of one colour in different light are parted, however much noise there is") {
+  std::mt19937 random(31);
+  for (const int most : {0, 4, 9}) {
+    cv::Mat picture = cv::Mat::zeros(80, 140, CV_8UC3);
+    picture(cv::Rect(10, 10, 60, 60)) = cv::Scalar(40, 160, 50);
+    picture(cv::Rect(70, 10, 60, 60)) = cv::Scalar(28, 112, 35);
+    for (auto p = picture.begin<cv::Vec3b>(); p != picture.end<cv::Vec3b>(); ++p)
+      for (int c = 0; c < 3; ++c) {
+        const int noise = static_cast<int>(random() % static_cast<unsigned>(2 * most + 1)) - most;
+        (*p)[c] = cv::saturate_cast<std::uint8_t>((*p)[c] + noise);
+      }
+    const std::vector<double> areas = areas_of(picture, {});
+    REQUIRE(areas.size() == 2);
+    for (const double area : areas) CHECK(area == Approx(3600).epsilon(0.05));
+  }
 }
 
 TEST_CASE("a smooth shading across a surface does not break it up") {
@@ -201,6 +231,7 @@ TEST_CASE("a smooth shading across a surface does not break it up") {
     picture(cv::Rect(x, 10, 1, 80)) = level * cv::Scalar(220, 140, 60);
   }
   REQUIRE(areas_of(picture, with_median()).size() == 1);
+  REQUIRE(areas_of(picture, {}).size() == 1);
 }
 
 TEST_CASE("blobs are the components of foreground that hold a region, largest first") {

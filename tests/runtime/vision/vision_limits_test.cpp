@@ -98,8 +98,8 @@ TEST_CASE("the bytes of Vision's arena change only when that is meant") {
     std::printf("arena of a %s Vision at 640 x 480: %.2f bytes a pixel\n", name_of(sensor).data(),
                 static_cast<double>(vision_bytes(640, 480, sensor)) / (640 * 480));
   // With pointers of 32 bits a little less.
-  REQUIRE(vision_bytes(512, 512) == (sizeof(void*) == 8 ? 2889088 : 2856320));
-  REQUIRE(vision_bytes(640, 480) == (sizeof(void*) == 8 ? 3295296 : 3262528));
+  REQUIRE(vision_bytes(512, 512) == (sizeof(void*) == 8 ? 2889600 : 2856832));
+  REQUIRE(vision_bytes(640, 480) == (sizeof(void*) == 8 ? 3295808 : 3263040));
 }
 
 TEST_CASE("frames are limited to the longest side that coordinates hold") {

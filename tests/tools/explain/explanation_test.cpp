@@ -130,7 +130,7 @@ TEST_CASE("of a mesh in very many colours the cure is to merge them, to as many 
   settings.views = 10;
   const TemporaryFolder folder;
   const auto found = explain(folder.path() / "ball.store", {scene, options}, settings);
-  REQUIRE(found.ok());
+  if (!found) FAIL(found.error());
   const Explanation& e = found.value();
   REQUIRE(e.crowded);
   CHECK(e.crowded->colours == scene.surfaces.size());

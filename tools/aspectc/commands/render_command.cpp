@@ -58,9 +58,10 @@ int run_render(const RenderCommand& command) {
                                            : default_parameters(sensor_named(command.sensor)));
   observer.observe(from.normalized());
   const Frame& frame = observer.frame();
-  const cv::Mat drawn = command.segmented ? draw_regions(observer.regions(), observer.graph(),
-                                                         frame.width_px, frame.height_px)
-                                          : recorded_picture(frame);
+  const cv::Mat drawn = command.segmented
+                            ? draw_numbered_regions(observer.regions(), observer.graph(),
+                                                    frame.width_px, frame.height_px)
+                            : recorded_picture(frame);
   std::vector<std::uint8_t> png;
   if (!cv::imencode(".png", drawn, png))
     return fail(command.output + ": the picture could not be encoded");

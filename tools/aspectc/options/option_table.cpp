@@ -208,8 +208,8 @@ void add_segmentation(std::vector<Option>& all) {
   all.push_back(option(
       {kSegmentation, "intensity_step", "--intensity-step", "r + g + b",
        "largest step of brightness between neighbouring pixels of a region",
-       "765: any; lower only where surfaces differ in grey alone, since shading then breaks up"},
-      WholeForm{{1, 765}}, [](auto& s) -> auto& { return s.options.vision.intensity_step; }));
+       "0: as the picture's noise allows, 15 to 90; higher joins what shading parts, 765: any"},
+      WholeForm{{0, 765}}, [](auto& s) -> auto& { return s.options.vision.intensity_step; }));
   all.push_back(option(
       {kSegmentation, "area_min_px", "--area-min-px", "px", "smaller regions are discarded",
        "40 at 512 x 512; lower sees finer detail and more noise"},
