@@ -95,6 +95,7 @@ void JsonText::value(double number) {
 template <typename Real>
 void JsonText::put_real(Real number) {
   separate();
+  if (!fits_) return;
   if (!std::isfinite(number)) return put("null");
   std::array<char, 32> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
@@ -111,7 +112,8 @@ void JsonText::separate() {
 }
 
 void JsonText::put(char c) {
-  put(std::string_view(&c, 1));
+  fits_ = fits_ && size_ < out_.size();
+  if (fits_) out_[size_++] = c;
 }
 
 void JsonText::put(std::string_view text) {
