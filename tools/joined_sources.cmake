@@ -4,6 +4,13 @@
 # which also tells where an #include is missing.
 option(ASPECT_JOIN "Compile sources joined: a whole build is quicker, a change slower" OFF)
 
+# A joined source fills 0.8 GB. GCC looks for what it could free from 128 MiB on, and finds little: not
+# before 512 MiB it takes a tenth less time (aspect_eval_parts 13.0 s in place of 16.5, aspect_scene
+# 12.2 in place of 12.9) and up to 1.1 GB.
+if(ASPECT_JOIN AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options(--param=ggc-min-heapsize=524288)
+endif()
+
 # What is joined must not give two things one name: the names that the lines of a source
 # begin to define, those without a namespace of its own among them.
 function(aspect_defined_names source result)
