@@ -17,13 +17,20 @@ const std::string kCube =
 const std::string kMisfit =
     " --index cube.aspect --scene '" ASPECT_SOURCE_DIR "/tests/data/rendered/l_shape.b' ";
 
+// A folder with an index of the cube, compiled once for all tests.
+const TemporaryFolder& folder_of_cube() {
+  static const TemporaryFolder folder;
+  static const Outcome compiled =
+      run_shell(folder.path(), "'" ASPECT_ASPECTC "' '" ASPECT_SOURCE_DIR
+                               "/tests/data/rendered/cube.b' -o cube.aspect --level 2 "
+                               "--min-level 2 --no-store --progress never");
+  REQUIRE(compiled.exit_code == 0);
+  return folder;
+}
+
 class Evaluations {
  public:
-  Evaluations() {
-    REQUIRE(run("'" ASPECT_ASPECTC "' '" ASPECT_SOURCE_DIR "/tests/data/rendered/cube.b' -o "
-                "cube.aspect --level 2 --min-level 2 --no-store --progress never")
-                .exit_code == 0);
-  }
+  Evaluations() { std::filesystem::copy(folder_of_cube().path(), path()); }
   void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   const std::filesystem::path& path() const { return folder_.path(); }
   Outcome compile(const std::string& arguments) const {

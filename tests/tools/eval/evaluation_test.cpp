@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -19,14 +20,22 @@ namespace {
 namespace fs = std::filesystem;
 const std::string kScenes = ASPECT_SOURCE_DIR "/tests/data/rendered/";
 
-EvaluatedObject compiled(const std::string& name, const TemporaryFolder& folder) {
+// Made at the first call, then kept for the other tests.
+const std::vector<std::uint8_t>& index_bytes(const std::string& name) {
+  static std::map<std::string, std::vector<std::uint8_t>> kept;
+  const auto found = kept.find(name);
+  if (found != kept.end()) return found->second;
   const Result<Scene> scene = read_bob(kScenes + name + ".b");
   REQUIRE(scene.ok());
   CompileOptions options;
   options.level = 3;
   Result<CompiledIndex> index = compile(scene.value(), options, {}, {}, nullptr);
   REQUIRE(index.ok());
-  const std::vector<std::uint8_t>& bytes = index.value().bytes;
+  return kept[name] = index.value().bytes;
+}
+
+EvaluatedObject compiled(const std::string& name, const TemporaryFolder& folder) {
+  const std::vector<std::uint8_t>& bytes = index_bytes(name);
   const fs::path file =
       folder.write(name + ".aspect", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   Result<EvaluatedObject> object = EvaluatedObject::load(file, kScenes + name + ".b");
