@@ -21,8 +21,12 @@ CompiledModel compile_model(const std::string& name, int level) {
 
 }  // namespace
 
+std::filesystem::path model_file(const std::string& name) {
+  return ASPECT_SOURCE_DIR "/compiler/models/" + name + ".b";
+}
+
 Scene model_scene(const std::string& name) {
-  return read_bob(ASPECT_SOURCE_DIR "/compiler/models/" + name + ".b").value();
+  return read_bob(model_file(name)).value();
 }
 
 Scene small_model_scene(const std::string& name) {

@@ -1,6 +1,7 @@
 // Models of compiler/models on their way through the compiler, for tests of its stages.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "compiler/scene/scene.h"
 
 namespace aspect {
+
+std::filesystem::path model_file(const std::string& name);
 
 // Fails the program where the model cannot be read.
 Scene model_scene(const std::string& name);

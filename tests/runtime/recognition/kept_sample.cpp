@@ -1,10 +1,10 @@
 #include "tests/runtime/recognition/kept_sample.h"
 
+#include <unistd.h>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -31,10 +31,21 @@ std::string view_name(const std::string& model, const Eigen::Vector3d& direction
 void keep_sample(const std::string& name, const std::vector<std::uint8_t>& bytes) {
   const auto file = file_of(name);
   if (!file) return;
-  std::ofstream stream(*file, std::ios::binary);
+  // Another program may be reading it.
+  const std::filesystem::path part = file->string() + "." + std::to_string(::getpid());
+  std::ofstream stream(part, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
   ASPECT_CHECK(stream.flush().good());
+  std::filesystem::rename(part, *file);
+}
+
+bool is_sample_fresh(const std::string& name, const std::filesystem::path& input) {
+  const auto file = file_of(name);
+  if (!file || !std::filesystem::exists(*file)) return false;
+  const auto made = std::filesystem::last_write_time(*file);
+  return made > std::filesystem::last_write_time(input) &&
+         made > std::filesystem::last_write_time("/proc/self/exe");
 }
 
 std::vector<std::uint8_t> kept_sample(const std::string& name) {

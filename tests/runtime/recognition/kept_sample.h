@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,10 @@ std::string view_name(const std::string& model, const Eigen::Vector3d& direction
 // Does nothing without a folder. Fails the program where the file cannot be written.
 void keep_sample(const std::string& name, const std::vector<std::uint8_t>& bytes);
 void keep_view(const std::string& name, const OwnedFrame& frame);
+
+// Whether there is one that is newer than `input` and than this program, and so than the compiler
+// in it.
+bool is_sample_fresh(const std::string& name, const std::filesystem::path& input);
 
 // Fails the program where there is none.
 std::vector<std::uint8_t> kept_sample(const std::string& name);

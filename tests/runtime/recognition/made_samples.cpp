@@ -8,9 +8,11 @@
 namespace aspect {
 
 std::vector<std::uint8_t> model_index_bytes(const std::string& name, int level) {
+  const std::string sample = name + std::to_string(level);
+  if (is_sample_fresh(sample, model_file(name))) return kept_sample(sample);
   const std::vector<std::uint8_t> bytes =
       index_bytes_of(model_scene(name), options_of_level(level));
-  keep_sample(name + std::to_string(level), bytes);
+  keep_sample(sample, bytes);
   return bytes;
 }
 

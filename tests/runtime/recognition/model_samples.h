@@ -1,6 +1,7 @@
 // What tests of recognition need from the compiler half: indexes of models and frames of them. A
 // workstation makes them; with the environment variable ASPECT_SAMPLES, the name of a folder, it
-// keeps each as a file there. A device, which has no compiler, reads them from there.
+// keeps each as a file there, and takes indexes from there that this build has made. A device,
+// which has no compiler, reads all from there.
 #pragma once
 
 #include <Eigen/Core>
