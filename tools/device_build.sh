@@ -19,7 +19,7 @@ for processor in "$@"; do
   # Joined, as the tests in emulators are: a build of both must not be one of each in turn.
   cmake --preset "device-$processor" -DASPECT_JOIN=ON "-DASPECT_DEVICE_PACKAGES=$packages/$arch" >device_configure.log 2>&1 || { cat device_configure.log >&2; exit 1; }
   rm -f device_configure.log
-  cmake --build --preset "device-$processor" --target stripped
+  cmake --build --preset "device-$processor" -j "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" --target stripped
   for program in build/device-"$processor"/bin/stripped/*; do
     printf '%s %s: %d KiB\n' "$processor" "$(basename "$program")" $(($(stat -c %s "$program") / 1024))
   done

@@ -23,7 +23,7 @@ library_path=$(find "$packages/$processor" -name '*.so.*' -printf '%h\n' | sort 
 log=$build.log
 mkdir -p build
 cmake --preset "device-$processor" -DASPECT_JOIN=ON "-DASPECT_DEVICE_PACKAGES=$packages/$processor" >"$log" 2>&1 &&
-  cmake --build --preset "device-$processor" --target "$@" >>"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  cmake --build --preset "device-$processor" -j "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" --target "$@" >>"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 
 export ASPECT_SAMPLES=$results/samples
 # The emulator's, not ours.
