@@ -12,6 +12,7 @@ namespace {
 constexpr int kLeastBorders = 6;
 constexpr int kRoundCells = 48, kNearRounds = 3;
 constexpr double kSettled_px = 0.3;
+constexpr float kMet_px = 1.5F;
 
 // A border found at `distance_px` along the normal, in the straight picture.
 struct FoundBorder {
@@ -154,10 +155,12 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
     const auto bound = static_cast<double>(reach) * 1.2;
     NormalEquations equations;
     double squares = 0, weights = 0;
+    int met = 0;
     for (const BorderPoint& point : std::span(scratch.points).first(count)) {
       const std::optional<FoundBorder> border =
           find_border(point, camera, seen, reach, near, behind);
       if (!border) continue;
+      met += std::abs(border->distance_px) <= kMet_px ? 1 : 0;
       ++refined.borders_found;
       const Measured m = measured(point, refined.pose, model.centre, camera, border->distance_px);
       const double share = m.distance_px / bound;
@@ -167,6 +170,7 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
       squares += weight * m.distance_px * m.distance_px;
       weights += weight;
     }
+    refined.borders_met = static_cast<float>(met) / static_cast<float>(std::max<std::size_t>(count, 1));
     refined.reprojection_px = static_cast<float>(std::sqrt(squares / std::max(weights, 1e-9)));
     if (refined.borders_found < kLeastBorders) return refined;
     if (round == rounds) {

@@ -16,6 +16,8 @@ struct RefinedPose {
   RigidPose pose;
   int borders_found = 0;      // of the drawn model, with one of the right colours near by
   float reprojection_px = 0;  // root mean square of their distances
+  // The share of the borders drawn that are found where they are drawn, to a pixel and a half.
+  float borders_met = 0;
   // Of three turns about the camera's axes through the object's centre, in radians, and of its
   // place, in scene units; row by row.
   std::array<double, 36> covariance{};

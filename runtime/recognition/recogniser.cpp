@@ -20,10 +20,15 @@ bool fills_frame(const Box& box, const Frame& frame) {
 }
 
 // A speck of one colour looks like many things, and so does any patch of one beside something that
-// takes up much of the picture.
+// takes up much of the picture, and a scrap of two that the picture's border cuts off.
 bool says_little(const Blob& blob, std::size_t contours, const Blob& largest, const Frame& frame) {
   constexpr float kLeastArea_px = 1000, kMuch = 0.2F;
   const float frame_px = static_cast<float>(frame.width_px) * static_cast<float>(frame.height_px);
+  const bool is_scrap =
+      contours < 3 && blob.area_px < 2 * kLeastArea_px &&
+      (blob.box.x <= 0 || blob.box.y <= 0 || blob.box.x + blob.box.width >= frame.width_px ||
+       blob.box.y + blob.box.height >= frame.height_px);
+  if (is_scrap) return true;
   return contours < 2 && (blob.area_px < kLeastArea_px ||
                           (&blob != &largest && largest.area_px > kMuch * frame_px));
 }
@@ -55,11 +60,12 @@ float probability_of(const SceneAgreement& agreement) {
 // What is all of a blob should have been found as an object that stands alone; where it was not,
 // because it is small, blurred or cut, the drawing must agree the better.
 bool is_doubtful(const SceneAgreement& agreement, const Box& blob) {
-  constexpr float kLeastScore = 0.85F, kAllOfIt = 0.75F;
+  constexpr float kLeastScore = 0.85F, kLeastOfTwo = 0.95F, kAllOfIt = 0.75F;
   const Box& box = agreement.box;
   const int width = std::min(box.x + box.width, blob.x + blob.width) - std::max(box.x, blob.x),
             height = std::min(box.y + box.height, blob.y + blob.height) - std::max(box.y, blob.y);
-  if (agreement.score >= kLeastScore || width <= 0 || height <= 0) return false;
+  const float least = agreement.colours <= 2 ? kLeastOfTwo : kLeastScore;
+  if (agreement.score >= least || width <= 0 || height <= 0) return false;
   const auto shared = static_cast<float>(width * height);
   return shared > kAllOfIt * (static_cast<float>(box.width * box.height) +
                               static_cast<float>(blob.width * blob.height) - shared);
@@ -120,7 +126,7 @@ Recognition Recogniser::recognise(const Frame& frame) noexcept {
   std::size_t objects = 0;
   for (; objects < recognition.graph.blobs.size(); ++objects)
     objects_[objects] = recognise_blob(frame, recognition.graph, objects);
-  if (looks_anywhere()) objects = search_scene(frame, objects);
+  if (looks_anywhere()) objects = search_scene(frame, recognition.graph.contours, objects);
   recognition.objects = objects_.first(objects);
   const auto end = Clock::now();
   const VisionTimes& times = vision_.times();
@@ -251,7 +257,8 @@ std::size_t Recogniser::add_found(const SceneObject& found, std::size_t blob, st
 
 // What is found in blobs that are no object takes their place in the list; returns how many objects
 // there are then.
-std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
+std::size_t Recogniser::search_scene(const Frame& frame, std::span<const Contour> contours,
+                                     std::size_t objects) {
   const auto alone = objects_.first(objects);
   for (const SeenObject& object : alone)
     taken_[object.blob] = object.judgement.verdict == Verdict::match;
@@ -259,8 +266,9 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::size_t objects) {
                   [](bool taken) { return taken; }))
     return objects;
   const auto start = std::chrono::steady_clock::now();
-  const SeenScene scene{&vision_.colours(), &vision_.regions(), std::span(taken_).first(objects),
-                        cameras_,           frame.width_px,     frame.height_px};
+  const SeenScene scene{
+      &vision_.colours(), &vision_.regions(), contours,       std::span(taken_).first(objects),
+      cameras_,           frame.width_px,     frame.height_px};
   std::size_t end = objects;
   for (const SceneObject& found : scene_search_.run(scene)) {
     const std::size_t blob = blob_around(found.agreement.box, vision_.regions());

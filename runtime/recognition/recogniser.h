@@ -106,7 +106,8 @@ class Recogniser {
   void find_poses(std::size_t candidates, std::size_t blob);
   bool looks_anywhere() const;
   std::size_t add_found(const SceneObject& found, std::size_t blob, std::size_t objects);
-  std::size_t search_scene(const Frame& frame, std::size_t objects);
+  std::size_t search_scene(const Frame& frame, std::span<const Contour> contours,
+                           std::size_t objects);
   std::size_t join_found(std::size_t alone_count, std::size_t count);
   void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
 

@@ -9,8 +9,10 @@ namespace {
 
 // Cells of a colour that is seen, and what a leak costs.
 constexpr int kLeastCells = 8;
+constexpr float kLeastColour_px = 60;
 // Nothing dark hides an object.
-constexpr float kLeakCost = 0.5F, kEmptyCost = 0.5F, kWithin = 0.6F, kHiddenShare = 0.3F;
+constexpr float kLeakCost = 0.5F, kEmptyCost = 0.5F, kWithin = 0.6F, kHiddenShare = 0.3F,
+                kExplainedShare = 0.8F;
 
 ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
   constexpr int kRim = 2;
@@ -25,23 +27,32 @@ ColourClass colour_beside(const ModelDrawing& drawing, int column, int row) {
 }
 
 // By the number of colours, from one on: two side by side are found on many things, four as they
-// should be on none; what hides a part of the object takes some of the rest.
-float margin_of(const SceneAgreement& agreement) {
-  constexpr std::array<float, 4> kLeast{1.5F, 0.93F, 0.68F, 0.58F};
+// should be on none, nor are many regions of three; what hides a part of the object takes some of
+// the rest. Borders count the more the less the colours say.
+float margin_of(const SceneAgreement& agreement, float borders_met) {
+  struct Needed {
+    float of_borders = 0, least = 0;
+  };
+  constexpr std::array<Needed, 4> kNeeded{
+      {{0.25F, 2}, {0.25F, 1.135F}, {0.5F, 0.98F}, {0.25F, 0.72F}}};
+  constexpr std::size_t kManyRegions = 6;
   // Half of the object must be in the picture.
   constexpr float kLeastInside = 0.45F;
   if (agreement.colours < 1 || agreement.inside < kLeastInside) return -1;
-  const auto place = std::min<std::size_t>(static_cast<std::size_t>(agreement.colours), 4) - 1;
-  return agreement.score - kLeast[place];
+  const bool says_enough = agreement.colours >= 4 ||
+                           (agreement.colours == 3 && agreement.explained.count() >= kManyRegions);
+  const Needed& needed = kNeeded[says_enough ? 3 : static_cast<std::size_t>(agreement.colours) - 1];
+  return agreement.score + needed.of_borders * borders_met - needed.least;
 }
 
 }  // namespace
 
 SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& camera,
-                               const SeenColours& seen, int width_px, int height_px) {
+                               const SeenColours& seen, int width_px, int height_px,
+                               float borders_met, const Labels& of_others) {
   int drawn = 0, inside = 0, right = 0, empty = 0, rim = 0, leak = 0;
   std::array<int, kMaxModelColours + 1> cells_of_colour{};
-  std::array<std::uint16_t, kMaxRegions + 1> wrong_cells{};
+  std::array<std::uint16_t, kMaxRegions + 1> wrong_cells{}, right_cells{};
   float left_px = 1e9F, right_px = -1e9F, top_px = 1e9F, bottom_px = -1e9F;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
@@ -61,7 +72,7 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
       const std::uint16_t label = seen.label_at(x, y);
       const ColourClass of_region = seen.of_label(label);
       const ColourClass of_pixel = of_region == wanted ? wanted : seen.at_pixel(x, y);
-      const bool is_seen = of_pixel == wanted;
+      const bool is_seen = of_pixel == wanted && !of_others[label];
       if (!cell.covered) {
         ++rim;
         leak += is_seen ? 1 : 0;
@@ -69,7 +80,7 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
       }
       ++inside;
       right += is_seen ? 1 : 0;
-      if (!is_seen && label > 0) ++wrong_cells[label];
+      if (label > 0) ++(is_seen ? right_cells : wrong_cells)[label];
       empty += of_region == kBackgroundClass && of_pixel == kBackgroundClass ? 1 : 0;
       cells_of_colour[wanted] += is_seen ? 1 : 0;
       left_px = std::min(left_px, x);
@@ -84,20 +95,23 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
   int contradicting = 0, hidden = 0;
   const float cell_px = drawing.cell_px() * drawing.cell_px();
   for (std::size_t label = 1; label < wrong_cells.size(); ++label) {
-    const int cells = wrong_cells[label];
-    if (cells == 0) continue;
-    const bool ends_within = static_cast<float>(cells) * cell_px >
-                             kWithin * seen.area_px(static_cast<std::uint16_t>(label));
+    const int cells = wrong_cells[label], rights = right_cells[label];
+    if (cells + rights == 0) continue;
+    const float area_px = seen.area_px(static_cast<std::uint16_t>(label));
+    agreement.explained[label] = static_cast<float>(rights) * cell_px > kExplainedShare * area_px;
+    const bool ends_within =
+        static_cast<float>(cells) * cell_px > kWithin * area_px && !of_others[label];
     (ends_within ? contradicting : hidden) += cells;
   }
   agreement.score =
       (static_cast<float>(right) - kEmptyCost * static_cast<float>(empty + contradicting)) /
           (static_cast<float>(inside) - kHiddenShare * static_cast<float>(hidden)) -
       kLeakCost * static_cast<float>(leak) / static_cast<float>(std::max(1, rim));
-  agreement.colours =
-      static_cast<int>(std::count_if(cells_of_colour.begin(), cells_of_colour.end(),
-                                     [](int cells) { return cells >= kLeastCells; }));
-  agreement.margin = margin_of(agreement);
+  agreement.colours = static_cast<int>(
+      std::count_if(cells_of_colour.begin(), cells_of_colour.end(), [&](int cells) {
+        return cells >= kLeastCells && static_cast<float>(cells) * cell_px > kLeastColour_px;
+      }));
+  agreement.margin = margin_of(agreement, borders_met);
   const int x = static_cast<int>(left_px), y = static_cast<int>(top_px);
   agreement.box = {x, y, static_cast<int>(right_px) + 1 - x, static_cast<int>(bottom_px) + 1 - y};
   return agreement;

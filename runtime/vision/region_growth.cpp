@@ -22,8 +22,15 @@ constexpr int kThreadPasses = 3;
 constexpr int kBrightnessDivisor = 2;
 constexpr int kAnyIntensityStep = 765;
 
-// Marks labels that the layer at work gives: the layer after it builds on them, it does not.
-constexpr std::uint16_t kNew = 0x8000;
+// Marks labels that pixels have been given by following: what has looked at the others once need
+// not again.
+constexpr std::uint16_t kFollowed = kLabelMask + 1;
+
+// Marks labels that a layer gives: the layers after it build on them, it does not.
+constexpr std::uint16_t mark_of_layer(int layer) {
+  return static_cast<std::uint16_t>((2 * kFollowed) << layer);
+}
+static_assert(mark_of_layer(kBlurLayers - 1) != 0);
 
 int difference(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
@@ -44,13 +51,14 @@ struct RegionGrowth::Growing {
     return static_cast<std::size_t>(p.y * picture.stride_px + p.x);
   }
 
-  // Calls visit(label) for those of the four neighbours that have one.
+  // Calls visit(label) for those of the four neighbours that have one, without one of `ignored`.
   template <typename Visit>
-  void each_neighbour(Pixel p, Visit&& visit) const {
+  void each_neighbour(Pixel p, unsigned ignored, Visit&& visit) const {
     const Box& box = picture.active;
     const std::uint16_t* at = picture.labels.data() + place(p);
     const auto see = [&](std::uint16_t label) {
-      if (label != 0 && label < kNew) visit(label);
+      if (label != 0 && (label & ignored) == 0)
+        visit(static_cast<std::uint16_t>(label & kLabelMask));
     };
     if (p.x > box.x) see(at[-1]);
     if (p.x + 1 < box.x + box.width) see(at[1]);
@@ -58,16 +66,21 @@ struct RegionGrowth::Growing {
     if (p.y + 1 < box.y + box.height) see(at[picture.stride_px]);
   }
 
-  // Without a neighbour that has a label, its shares are not looked up.
-  bool is_beside_a_region(Pixel p) const {
-    bool is_beside = false;
-    each_neighbour(p, [&](std::uint16_t) { is_beside = true; });
-    return is_beside;
+  // The labels of the four neighbours together.
+  unsigned labels_beside(Pixel p) const {
+    const Box& box = picture.active;
+    const std::uint16_t* at = picture.labels.data() + place(p);
+    unsigned labels = 0;
+    if (p.x > box.x) labels |= at[-1];
+    if (p.x + 1 < box.x + box.width) labels |= at[1];
+    if (p.y > box.y) labels |= at[-picture.stride_px];
+    if (p.y + 1 < box.y + box.height) labels |= at[picture.stride_px];
+    return labels;
   }
 
-  Neighbour most_alike(Pixel p, const PixelShares& own) const {
+  Neighbour most_alike(Pixel p, const PixelShares& own, unsigned ignored) const {
     Neighbour best;
-    each_neighbour(p, [&](std::uint16_t label) {
+    each_neighbour(p, ignored, [&](std::uint16_t label) {
       if (label == best.label) return;
       const CoreColour& core = cores[label - 1U];
       const int brightness = parts_by_brightness ? std::abs(own.intensity - core.intensity) : 0;
@@ -93,7 +106,7 @@ struct RegionGrowth::Growing {
   }
 
   void join_alike_neighbours(Pixel p, std::uint16_t label) const {
-    each_neighbour(p, [&](std::uint16_t other) {
+    each_neighbour(p, 0, [&](std::uint16_t other) {
       if (other == label) return;
       const CoreColour &a = cores[label - 1U], &b = cores[other - 1U];
       if (difference(a.share, b.share) > parameters.chroma_step ||
@@ -104,20 +117,22 @@ struct RegionGrowth::Growing {
     });
   }
 
-  void follow(Pixel p) const {
+  // Pixels without a neighbour whose label is of `interest` are not looked at.
+  void follow(Pixel p, unsigned interest) const {
     std::uint16_t& label = picture.labels[place(p)];
-    if (label != 0 || !is_beside_a_region(p)) return;
+    if (label != 0 || (labels_beside(p) & interest) == 0) return;
     const PixelShares own = shares.pixel(place(p));
-    const Neighbour region = most_alike(p, own);
+    const Neighbour region = most_alike(p, own, 0);
     if (!has_colour_of(own, region)) return;
-    label = region.label;
-    join_alike_neighbours(p, label);
+    label = region.label | kFollowed;
+    join_alike_neighbours(p, region.label);
   }
 
-  void take_most_alike(Pixel p) const {
+  void take_most_alike(Pixel p, std::uint16_t mark) const {
     std::uint16_t& label = picture.labels[place(p)];
-    if (label != 0 || !is_beside_a_region(p)) return;
-    label = most_alike(p, shares.pixel(place(p))).label | kNew;
+    if (label != 0 || labels_beside(p) == 0) return;
+    const Neighbour region = most_alike(p, shares.pixel(place(p)), mark);
+    if (region.label != 0) label = region.label | mark;
   }
 
   // Pixels of a row, in their order.
@@ -168,21 +183,21 @@ void RegionGrowth::run(const ShareRows& shares, std::span<const CoreColour> core
                                     [&](WaitingRun& run) { return !growing.shorten(run); });
     waiting = waiting.first(static_cast<std::size_t>(end - waiting.begin()));
   };
-  const auto follow = [&](Pixel p) { growing.follow(p); };
   for (int pass = 0; pass < kThreadPasses; ++pass) {
+    const unsigned interest = pass == 0 ? kLabelMask : kFollowed;
+    const auto follow = [&](Pixel p) { growing.follow(p, interest); };
     if (pass % 2 == 0)
       for (const WaitingRun& run : waiting) growing.forwards(run, follow);
     else
       for (std::size_t k = waiting.size(); k-- > 0;) growing.backwards(waiting[k], follow);
-    forget_labelled();
   }
   for (int layer = 0; layer < kBlurLayers; ++layer) {
+    forget_labelled();
+    const std::uint16_t mark = mark_of_layer(layer);
     // What is flat is no mixture of the colours beside it.
     for (const WaitingRun& run : waiting)
-      if (run.is_flat == 0) growing.forwards(run, [&](Pixel p) { growing.take_most_alike(p); });
-    for (const WaitingRun& run : waiting)
-      growing.forwards(run, [&](Pixel p) { picture.labels[growing.place(p)] &= kNew - 1U; });
-    forget_labelled();
+      if (run.is_flat == 0)
+        growing.forwards(run, [&](Pixel p) { growing.take_most_alike(p, mark); });
   }
 }
 

@@ -20,6 +20,10 @@ struct CoreColour {
   std::uint8_t intensity = 0;  // (r + g + b) / 3
 };
 
+// Growth leaves marks of its own in the bits above a label's.
+inline constexpr std::uint16_t kLabelMask = 0x0FFF;
+static_assert(kMaxRegions <= kLabelMask);
+
 // A picture of labels, 0: none. Pixel x, y stands at y * stride_px + x.
 struct LabelPicture {
   std::span<std::uint16_t> labels;
@@ -37,9 +41,10 @@ class RegionGrowth {
   // small for a region. Those that find no room keep none.
   void wait(int y, int begin, int end, bool is_flat);
 
-  // First every waiting pixel that has the colour of a region next to it joins that region, however
-  // far that leads; regions of one colour that meet in this way become one (see joined). Then the
-  // others, a few layers deep, take the most alike region next to them.
+  // Labels that are given carry marks (kLabelMask). First every waiting pixel that has the colour
+  // of a region next to it joins that region, however far that leads; regions of one colour that
+  // meet in this way become one (see joined). Then the others, a few layers deep, take the most
+  // alike region next to them.
   void run(const ShareRows& shares, std::span<const CoreColour> cores,
            const VisionParameters& parameters, LabelPicture picture);
 

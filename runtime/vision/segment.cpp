@@ -36,15 +36,16 @@ void keep_solid(const Byte* solid, std::size_t count, Byte* __restrict core) {
   for (std::size_t i = 0; i < count; ++i) core[i] = static_cast<Byte>(core[i] & solid[i]);
 }
 
-// First index in [from, end) whose label differs from `label`, four at a time.
+// First index in [from, end) whose label differs from `label`, marks aside, four at a time.
 int end_of_labels(const std::uint16_t* labels, int from, int end, std::uint16_t label) {
-  const std::uint64_t pattern = label * std::uint64_t{0x0001000100010001};
+  constexpr std::uint64_t kEach = 0x0001000100010001;
+  const std::uint64_t pattern = label * kEach;
   for (; from + 4 <= end; from += 4) {
     std::uint64_t word = 0;
     std::memcpy(&word, labels + from, sizeof word);
-    if (word != pattern) break;
+    if ((word & (kLabelMask * kEach)) != pattern) break;
   }
-  while (from < end && labels[from] == label) ++from;
+  while (from < end && (labels[from] & kLabelMask) == label) ++from;
   return from;
 }
 
@@ -226,10 +227,10 @@ void Segmenter::find_region_runs() {
   for (int y = active_.y; y < active_.y + active_.height; ++y) {
     std::uint16_t* row = labels_.data() + y * stride_px_;
     for (int x = active_.x; x < end;) {
-      const std::uint16_t grown = row[x];
+      const auto grown = static_cast<std::uint16_t>(row[x] & kLabelMask);
       const int stop = end_of_labels(row, x + 1, end, grown);
       const std::uint16_t label = growth_.joined(grown);
-      if (label != grown) std::fill(row + x, row + stop, label);
+      std::fill(row + x, row + stop, label);
       if (label != 0) {
         if (run_count_ == runs_.size()) {
           ++dropped_;

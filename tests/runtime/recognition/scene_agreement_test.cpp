@@ -129,9 +129,9 @@ class Drawer {
     is_drawn = drawing_.draw_alone(drawn, pose, kCamera, kWidth_px, kHeight_px, kCells);
   }
 
-  SceneAgreement in(Picture& picture) const {
+  SceneAgreement in(Picture& picture, float borders_met = 1, const Labels& of_others = {}) const {
     const SeenColours seen = picture.seen();
-    return scene_agreement(drawing_, kCamera, seen, kWidth_px, kHeight_px);
+    return scene_agreement(drawing_, kCamera, seen, kWidth_px, kHeight_px, borders_met, of_others);
   }
 
   // The share of the drawn cells whose centres lie in a part of the picture.
@@ -186,6 +186,27 @@ TEST_CASE("the more colours are seen the more the score is above what is needed;
   CHECK(one.margin < 0);
   CHECK(two.margin >= 0);
   CHECK(three.margin > two.margin + 0.1F);
+}
+
+TEST_CASE("borders that are met tell for the object") {
+  Picture picture(kGrey);
+  picture.paint(edge_pose());
+  const Drawer drawer(edge_pose());
+  CHECK(drawer.in(picture, 1).margin > 0);
+  CHECK(drawer.in(picture, 0.3F).margin < 0);
+  CHECK(drawer.in(picture, 0.3F).score == drawer.in(picture, 1).score);
+}
+
+TEST_CASE("regions are explained by what shows most of them, and then no longer tell for others") {
+  Picture picture(kGrey);
+  picture.paint(corner_pose());
+  const Drawer drawer(corner_pose());
+  const SceneAgreement first = drawer.in(picture);
+  CHECK(first.explained.count() == 3);
+  const SceneAgreement again = drawer.in(picture, 1, first.explained);
+  CHECK(again.margin < 0);
+  CHECK(again.colours == 0);
+  CHECK(again.explained.none());
 }
 
 TEST_CASE("the box is what is drawn") {

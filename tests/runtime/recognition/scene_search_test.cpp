@@ -17,17 +17,17 @@ namespace {
 constexpr int kSide_px = 512;
 constexpr double kField_deg = 50, kPerRad_deg = 57.29577951308232;
 constexpr std::array kNames{"cube", "l_shape"};
-const CameraModel kCamera = centred_camera(kField_deg, kSide_px, kSide_px);
+const CameraModel kSceneCamera = centred_camera(kField_deg, kSide_px, kSide_px);
 
 OwnedFrame black(int width_px, int height_px) {
   const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
   return {width_px, height_px, std::vector<std::uint8_t>(3 * pixels)};
 }
 
-// For frames of any size whose object was looked at with kCamera.
+// For frames of any size whose object was looked at with kSceneCamera.
 OwnedRecogniser recogniser(int height_px = kSide_px) {
   RecogniserParameters parameters;
-  parameters.camera = CalibratedCamera{kCamera, 0};
+  parameters.camera = CalibratedCamera{kSceneCamera, 0};
   return {cube_and_l_shape(), parameters, kSide_px, height_px};
 }
 
@@ -187,7 +187,7 @@ TEST_CASE("two objects that touch or hide a part of each other are both found wh
   for (std::size_t k = 0; k < all; ++k) {
     const Pair pair = random_pair(random, 1.3);
     OwnedFrame frame = k % 2 == 0 ? black(kSide_px, kSide_px) : striped(kSide_px, kSide_px);
-    paint(pair, kCamera, frame);
+    paint(pair, kSceneCamera, frame);
     const Recognition seen = owned.recognise(frame.frame());
     touching += seen.graph.blobs.size() == 1 ? 1U : 0U;
     CHECK(matches(seen) <= 2);
@@ -263,7 +263,7 @@ TEST_CASE("objects that touch are found among as many blobs as are kept") {
     OwnedFrame frame = black(kSide_px, 2 * kSide_px);
     strew_squares(frame, 80, kSide_px, random);
     const Pair pair = random_pair(random, 1.3);
-    paint(pair, kCamera, frame);
+    paint(pair, kSceneCamera, frame);
     const Recognition seen = owned.recognise(frame.frame());
     CHECK(seen.objects.size() == 64);
     check_order(seen);
@@ -275,7 +275,7 @@ TEST_CASE("objects that touch are found among as many blobs as are kept") {
 TEST_CASE("an object below more pieces of its colours than take part is found") {
   std::mt19937 random(26);
   RecogniserParameters parameters;
-  CameraModel low = kCamera;
+  CameraModel low = kSceneCamera;
   low.cy_px += kSide_px;
   parameters.camera = CalibratedCamera{low, 0};
   OwnedRecogniser owned(cube_and_l_shape(), parameters, kSide_px, 2 * kSide_px);
@@ -299,7 +299,7 @@ TEST_CASE("the last of many indexes is looked for as the first one is") {
   for (int k = 0; k < rounds(10); ++k) {
     const Pair pair = random_pair(random, 1.4);
     OwnedFrame frame = striped(kSide_px, kSide_px);
-    paint(pair, kCamera, frame);
+    paint(pair, kSceneCamera, frame);
     const Rotation& rotation = pair[1].pose.rotation;
     CHECK(least_turn_deg(many.recognise(frame.frame()), 15, rotation) ==
           least_turn_deg(two.recognise(frame.frame()), 1, rotation));
