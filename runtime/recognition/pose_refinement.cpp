@@ -10,7 +10,7 @@ namespace aspect {
 namespace {
 
 constexpr int kLeastBorders = 6;
-constexpr int kRoundCells = 48, kNearRounds = 3;
+constexpr int kNearRounds = 3;
 constexpr double kSettled_px = 0.3;
 constexpr float kMet_px = 1.5F;
 
@@ -53,8 +53,9 @@ std::optional<FoundBorder> find_border(const BorderPoint& point, const CameraMod
   for (int t = -reach - kWidest; t <= reach + kWidest; ++t) {
     const auto f = static_cast<float>(t);
     ColourClass colour = seen.at(x + f * step_x, y + f * step_y);
+    if (colour == SeenColours::kUnknown) continue;
     // A region may hold a surface and what stands behind it.
-    if (behind == Behind::anything && colour == SeenColours::kOther)
+    if (behind == Behind::anything && colour == SeenColours::kOther && seen.has_regions())
       colour = seen.at_pixel(x + f * step_x, y + f * step_y);
     border.see(t, colour == point.inside,
                any_outside ? colour != point.inside : colour == point.outside);
@@ -128,6 +129,15 @@ RigidPose moved(const RigidPose& pose, const Vector3d& centre, const std::array<
   return next;
 }
 
+// Border points of an earlier pose to where they are now; their normals hardly turn.
+void move_points(std::span<BorderPoint> points, const RigidPose& pose, const CameraModel& camera) {
+  for (BorderPoint& point : points) {
+    const Vector3d p = pose(point.point_object);
+    point.x_px = static_cast<float>(camera.cx_px + camera.fx_px * p[0] / p[2]);
+    point.y_px = static_cast<float>(camera.cy_px + camera.fy_px * p[1] / p[2]);
+  }
+}
+
 // How far a point of the object moves, at most.
 double size_of(const std::array<double, 6>& step, double radius) {
   return radius * norm({step[0], step[1], step[2]}) + norm({step[3], step[4], step[5]});
@@ -137,17 +147,27 @@ double size_of(const std::array<double, 6>& step, double radius) {
 
 RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
                         const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
-                        float reach_px, RefinementScratch& scratch, Behind behind) {
+                        float reach_px, RefinementScratch& scratch, Behind behind,
+                        const RefinementDetail& detail) {
   RefinedPose refined;
   refined.pose = start;
   constexpr float kLeastReach_px = 3, kOutlineReach = 0.6F;
   const float first_reach_px = reach_px;
   const double size = std::max(model.radius, 1e-12);
+  std::size_t count = 0;
+  int rounds_drawn = 0;
   for (int round = 0; round <= rounds; ++round) {
     // Only the last one is compared with the picture cell by cell.
-    const int cells = round == rounds ? ModelDrawing::kMostCells : kRoundCells;
-    if (!scratch.drawing.draw(model, refined.pose, camera, box, cells)) return refined;
-    const std::size_t count = find_border_points(model, scratch.drawing, scratch.points);
+    const bool is_last = round == rounds;
+    const int cells = is_last ? ModelDrawing::kMostCells : detail.round_cells;
+    if (is_last || rounds_drawn == 0 || rounds_drawn == detail.rounds_a_drawing) {
+      if (!scratch.drawing.draw(model, refined.pose, camera, box, cells)) return refined;
+      count = find_border_points(model, scratch.drawing, scratch.points);
+      rounds_drawn = 1;
+    } else {
+      move_points(std::span(scratch.points).first(count), refined.pose, camera);
+      ++rounds_drawn;
+    }
     refined.borders_found = 0;
     const float reach = std::max(kLeastReach_px, reach_px);
     const bool near = round >= rounds - kNearRounds;

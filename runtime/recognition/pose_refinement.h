@@ -31,12 +31,20 @@ struct RefinementScratch {
 // What stands behind the object: the background of what is alone, or anything.
 enum class Behind : std::uint8_t { background, anything };
 
+struct RefinementDetail {
+  // Of a drawing along a side, but for the last round's, which has the most. More is more exact.
+  int round_cells = 48;
+  // The borders that a drawing shows serve for so many rounds. More costs less; from far away
+  // others come into sight on the way.
+  int rounds_a_drawing = 1;
+};
+
 // From where `start` shows the object to within about `reach_px`. Nothing is refined where no more
 // than a handful of borders is found. `box` is what the blob fills.
 RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
                         const SeenColours& seen, const Box& box, const RigidPose& start, int rounds,
                         float reach_px, RefinementScratch& scratch,
-                        Behind behind = Behind::background);
+                        Behind behind = Behind::background, const RefinementDetail& detail = {});
 
 // What share of the object and the blob together is as drawn, 0 to 1, colours compared cell by
 // cell. Blur eats thin faces and the rims of others, the more the smaller an object is seen:

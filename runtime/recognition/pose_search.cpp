@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/recognition/alike_poses.h"
+
 namespace aspect {
 namespace {
 
@@ -11,7 +13,6 @@ constexpr std::size_t kMostStarted = 8;
 constexpr int kRounds = 7;
 // Of two that start, or end, so near to each other one is enough.
 constexpr double kSameStart_rad = 0.2, kSamePose_rad = 0.05;
-constexpr double kSameTurn = 1e-6;
 // A start that explains this much less than the best one is not refined: before a pose is found
 // that leaves next to nothing unexplained, and after.
 constexpr float kHopeful = 0.7F, kRival = 0.85F, kExplained = 0.06F;
@@ -52,31 +53,6 @@ std::size_t class_seen(const ClassIndex& index, const Vector3& view, std::size_t
   return seen == SphereMap::kNone ? otherwise : static_cast<std::size_t>(seen);
 }
 
-// Of the poses that no view tells apart, the one whose turn is least.
-RigidPose canonical(const RigidPose& pose, const ClassIndex& index) {
-  const Vector3d& centre = index.model.centre;
-  Rotation least = pose.rotation;
-  const auto try_axes = [&](Rotation turn) {
-    for (const Vector3& axis : index.symmetry_axes) {
-      // The turn about the axis that leaves the largest w.
-      const double along = turn.x * static_cast<double>(axis[0]) +
-                           turn.y * static_cast<double>(axis[1]) +
-                           turn.z * static_cast<double>(axis[2]);
-      const double length = std::sqrt(turn.w * turn.w + along * along);
-      if (!(length > 0)) continue;
-      const double c = turn.w / length, s = -along / length;
-      turn = turn * Rotation{c, s * static_cast<double>(axis[0]), s * static_cast<double>(axis[1]),
-                             s * static_cast<double>(axis[2])};
-    }
-    if (std::abs(turn.w) > std::abs(least.w) + kSameTurn) least = turn;
-  };
-  try_axes(pose.rotation);
-  for (const auto& [w, x, y, z] : index.symmetries)
-    try_axes(pose.rotation * Rotation{static_cast<double>(w), static_cast<double>(x),
-                                      static_cast<double>(y), static_cast<double>(z)});
-  return {least, pose(centre) - least(centre)};
-}
-
 }  // namespace
 
 void PoseSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
@@ -105,7 +81,12 @@ void PoseSearch::name_class(Hypothesis& hypothesis, std::span<Hypothesis> list) 
 
 void PoseSearch::settle(Hypothesis& hypothesis, VerifiedPose& pose) const {
   const ClassIndex& index = indexes_[hypothesis.index];
-  pose.refined.pose = canonical(pose.refined.pose, index);
+  pose.refined.pose = canonical_pose(pose.refined.pose, index);
+  name(hypothesis, pose);
+}
+
+void PoseSearch::name(Hypothesis& hypothesis, const VerifiedPose& pose) const {
+  const ClassIndex& index = indexes_[hypothesis.index];
   hypothesis.view = view_of(pose.refined.pose, index.model.centre);
   hypothesis.class_id = static_cast<std::uint16_t>(class_seen(index, hypothesis.view, 0));
 }
@@ -145,7 +126,7 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
     if (start.agreement < (explained ? kRival : kHopeful) * starts[0].agreement) break;
     VerifiedPose& pose = poses[found];
     pose = verify(*start.hypothesis, start.pose, blob, kRounds);
-    pose.refined.pose = canonical(pose.refined.pose, indexes_[start.hypothesis->index]);
+    pose.refined.pose = canonical_pose(pose.refined.pose, indexes_[start.hypothesis->index]);
     const auto is_same = [&](const Hypothesis& other) {
       return other.pose != nullptr && other.index == start.hypothesis->index &&
              angle_between_rad(other.pose->refined.pose.rotation, pose.refined.pose.rotation) <

@@ -36,6 +36,9 @@ class PoseSearch {
   // hypothesis's view and class.
   void settle(Hypothesis& hypothesis, VerifiedPose& pose) const;
 
+  // The view and the class of a pose that stays as it is.
+  void name(Hypothesis& hypothesis, const VerifiedPose& pose) const;
+
  private:
   VerifiedPose verify(const Hypothesis& hypothesis, const RigidPose& pose, const SeenBlob& blob,
                       int rounds);

@@ -101,7 +101,8 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   candidates_ = arena.take<Hypothesis>(kMaxCandidates);
   const auto top = static_cast<std::size_t>(parameters_.top);
   // What is found anywhere comes on top, until it is known which blobs it explains.
-  const std::size_t found = looks_anywhere() ? SceneSearch::kMostObjects : 0;
+  const std::size_t found =
+      (looks_anywhere() ? SceneSearch::kMostObjects : 0) + (tracks() ? Tracker::kMostTracks : 0);
   hypotheses_ = arena.take<Hypothesis>(kMaxBlobs * top + found);
   // A frame has no more external contours than regions, and a hypothesis matches each once.
   contour_matches_ = arena.take<ContourMatch>(kMaxRegions * top);
@@ -111,29 +112,51 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   view_search_.prepare(indexes);
   pose_search_.prepare(arena, indexes);
   if (looks_anywhere()) scene_search_.prepare(arena, indexes);
+  if (tracks()) tracker_.prepare(arena, indexes, parameters_.tracking);
 }
 
-Recognition Recogniser::recognise(const Frame& frame) noexcept {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  Recognition recognition;
-  recognition.graph = vision_.run(frame, parameters_.vision);
-  const auto seen = Clock::now();
+Recognition Recogniser::recognise(const Frame& frame, int steps) noexcept {
+  const auto start = std::chrono::steady_clock::now();
   hypothesis_count_ = match_count_ = pose_count_ = 0;
   pose_time_ = {};
   for (std::size_t i = 0; i < indexes_.size(); ++i)
     cameras_[i] = camera_of(parameters_, indexes_[i], frame);
+  std::optional<Recognition> followed;
+  if (tracks()) {
+    tracker_.begin({cameras_, frame.width_px, frame.height_px, std::max(1, steps)});
+    followed = follow(frame);
+  }
+  Recognition recognition = followed ? *followed : recognise_all(frame);
+  recognition.elapsed = std::chrono::steady_clock::now() - start;
+  return recognition;
+}
+
+Recognition Recogniser::recognise_all(const Frame& frame) {
+  using Clock = std::chrono::steady_clock;
+  Recognition recognition;
+  recognition.graph = vision_.run(frame, parameters_.vision);
+  const auto seen = Clock::now();
   std::size_t objects = 0;
   for (; objects < recognition.graph.blobs.size(); ++objects)
     objects_[objects] = recognise_blob(frame, recognition.graph, objects);
   if (looks_anywhere()) objects = search_scene(frame, recognition.graph.contours, objects);
+  if (tracks()) objects = join_tracks(frame, objects);
   recognition.objects = objects_.first(objects);
   const auto end = Clock::now();
   const VisionTimes& times = vision_.times();
   recognition.stages = {times.convert,  times.enhance,           times.segment,
                         times.features, end - seen - pose_time_, pose_time_};
-  recognition.elapsed = end - start;
   return recognition;
+}
+
+bool Recogniser::tracks() const {
+  return parameters_.tracking.on && parameters_.poses && !parameters_.vision.one_blob &&
+         parameters_.ranking == RecogniserParameters::Ranking::views &&
+         parameters_.vision.sensor == SensorKind::colour;
+}
+
+std::size_t Recogniser::blob_at(const Box& box) const {
+  return vision_.regions().blobs.empty() ? 0 : blob_around(box, vision_.regions());
 }
 
 SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph,

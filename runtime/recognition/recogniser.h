@@ -15,6 +15,7 @@
 #include "runtime/recognition/hypothesis.h"
 #include "runtime/recognition/pose_search.h"
 #include "runtime/recognition/scene_search.h"
+#include "runtime/recognition/tracker.h"
 #include "runtime/recognition/verdict.h"
 #include "runtime/recognition/view_search.h"
 #include "runtime/vision/vision.h"
@@ -61,6 +62,9 @@ struct RecogniserParameters {
   // Contours a class may match fewer than the best class and still be fitted, typical 1. More
   // forgives more wrong contour types and costs time.
   int shortlist_slack = 1;
+
+  // From frame to frame; needs poses.
+  TrackingParameters tracking;
 };
 
 struct SeenObject {
@@ -69,6 +73,7 @@ struct SeenObject {
   Judgement judgement;
   std::span<const Hypothesis> hypotheses;  // best first
   std::size_t blob = 0;                    // of the graph: that it is, or that its middle lies in
+  std::uint32_t track = 0;                 // its number from frame to frame; 0: none
 };
 
 struct StageTimes {
@@ -76,8 +81,10 @@ struct StageTimes {
 };
 
 struct Recognition {
-  ViewGraph graph;                      // what was seen
-  std::span<const SeenObject> objects;  // those alone, largest first, then the others, best first
+  ViewGraph graph;  // what was seen
+  // Those alone, largest first, then the others, best first, and then those that are followed. Of a
+  // frame that was not searched these only, and no graph.
+  std::span<const SeenObject> objects;
   StageTimes stages;
   std::chrono::nanoseconds elapsed{};
 };
@@ -92,8 +99,9 @@ class Recogniser {
                const RecogniserParameters& parameters, int width_px, int height_px);
 
   // Allocates nothing. The result lives until the next call. A frame of another sensor than
-  // parameters.vision.sensor (see gives) is seen as empty: refuse it before.
-  Recognition recognise(const Frame& frame) noexcept;
+  // parameters.vision.sensor (see gives) is seen as empty: refuse it before. `steps`: frames since
+  // the last call, for tracking; 2 where one was not seen.
+  Recognition recognise(const Frame& frame, int steps = 1) noexcept;
 
   const RegionMap& regions() const { return vision_.regions(); }
   // Of the last frame: its pixels, and the camera that each index's objects were looked for with.
@@ -101,6 +109,13 @@ class Recogniser {
   std::span<const CameraModel> cameras() const { return cameras_; }
 
  private:
+  Recognition recognise_all(const Frame& frame);
+  bool tracks() const;
+  std::optional<Recognition> follow(const Frame& frame);
+  std::size_t join_tracks(const Frame& frame, std::size_t objects);
+  std::size_t add_tracks(std::size_t objects);
+  SeenObject seen_track(const Track& track);
+  std::size_t blob_at(const Box& box) const;
   SeenObject recognise_blob(const Frame& frame, const ViewGraph& graph, std::size_t blob_place);
   std::size_t shortlist(std::span<const ContourFeature> features);
   void find_poses(std::size_t candidates, std::size_t blob);
@@ -124,6 +139,7 @@ class Recogniser {
   ViewSearch view_search_;
   PoseSearch pose_search_;
   SceneSearch scene_search_;
+  Tracker tracker_;
   std::array<bool, kMaxBlobs> taken_{};
   std::span<CameraModel> cameras_;  // of this frame, for each index
   std::span<VerifiedPose> poses_;

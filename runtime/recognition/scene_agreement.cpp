@@ -66,7 +66,8 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
       const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y);
       drawn += cell.covered ? 1 : 0;
       if (!(x >= 0 && y >= 0 && x <= static_cast<float>(width_px - 1) &&
-            y <= static_cast<float>(height_px - 1)))
+            y <= static_cast<float>(height_px - 1)) ||
+          seen.is_hidden(x, y))
         continue;
       const ColourClass wanted = cell.covered ? cell.colour : beside;
       const std::uint16_t label = seen.label_at(x, y);

@@ -15,7 +15,7 @@ struct SceneAgreement {
   // The share of drawn cells whose colour is seen, what may be hidden counting a little less than
   // the rest, less what goes on beyond the outline in the colour of the surface beside it.
   float score = 0;
-  float inside = 0;  // the share of the drawn cells that lies within the picture
+  float inside = 0;  // the share of the drawn cells that lies within the picture, not hidden
   int colours = 0;   // of the object that are seen
   // Of the score and of the borders that are met over what so many colours need: the object is
   // there from 0 on.

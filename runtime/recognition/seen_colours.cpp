@@ -45,10 +45,10 @@ std::array<float, 3> lit(const std::array<float, 3>& share, const LightGain& lig
 void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob,
                        const ObjectModel& model, const LightGain& light) {
   regions_ = &regions;
+  hidden_ = nullptr;
   colours_ = &colours;
   class_of_label_[0] = kBackgroundClass;
-  colour_count_ = std::min(model.shares.size(), expected_.size());
-  for (std::size_t k = 0; k < colour_count_; ++k) expected_[k] = lit(model.shares[k], light);
+  expect(model, light);
   for (std::size_t r = 0; r < regions.regions.size(); ++r) {
     const Region& region = regions.regions[r];
     class_of_label_[r + 1] =
@@ -56,20 +56,55 @@ void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob
   }
 }
 
+void SeenColours::look_at_pixels(const Planes& colours, const Box& known, const HiddenPart* hidden,
+                                 const ObjectModel& model, const LightGain& light) {
+  regions_ = nullptr;
+  hidden_ = hidden;
+  known_ = known;
+  colours_ = &colours;
+  class_of_label_[0] = kBackgroundClass;
+  expect(model, light);
+}
+
+void SeenColours::expect(const ObjectModel& model, const LightGain& light) {
+  colour_count_ = std::min(model.shares.size(), kMaxModelColours);
+  for (std::size_t k = 0; k < colour_count_; ++k) {
+    const std::array<float, 3> share = lit(model.shares[k], light);
+    for (std::size_t c = 0; c < 3; ++c) expected_[c][k] = share[c];
+  }
+}
+
 ColourClass SeenColours::nearest_to(const std::array<float, 3>& rgb) const {
   const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
   const std::array<float, 3> share{rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
-  const std::size_t nearest = nearest_share(std::span(expected_).first(colour_count_), share);
-  return nearest == colour_count_ ? kOther : static_cast<ColourClass>(nearest + 1);
+  // As nearest_share, all distances at once: vector code.
+  std::array<float, kMaxModelColours> distance;
+  for (std::size_t k = 0; k < colour_count_; ++k) {
+    const float red = expected_[0][k] - share[0], green = expected_[1][k] - share[1],
+                blue = expected_[2][k] - share[2];
+    distance[k] = red * red + green * green + blue * blue;
+  }
+  ColourClass nearest = kOther;
+  float least = kFarthestShare * kFarthestShare;
+  for (std::size_t k = 0; k < colour_count_; ++k) {
+    if (distance[k] >= least) continue;
+    least = distance[k];
+    nearest = static_cast<ColourClass>(k + 1);
+  }
+  return nearest;
 }
 
 ColourClass SeenColours::at_pixel(float x_px, float y_px) const {
+  return named(rgb(x_px, y_px));
+}
+
+ColourClass SeenColours::named(const std::array<float, 3>& colour) const {
   constexpr float kLeastSum = 40;
-  const std::array<float, 3> colour = rgb(x_px, y_px);
   return colour[0] + colour[1] + colour[2] < kLeastSum ? kBackgroundClass : nearest_to(colour);
 }
 
 std::uint16_t SeenColours::label_at(float x_px, float y_px) const {
+  if (regions_ == nullptr) return 0;
   const int x = static_cast<int>(std::floor(x_px + 0.5F)),
             y = static_cast<int>(std::floor(y_px + 0.5F));
   if (!holds(regions_->active, x, y)) return 0;
@@ -77,6 +112,16 @@ std::uint16_t SeenColours::label_at(float x_px, float y_px) const {
 }
 
 ColourClass SeenColours::at(float x_px, float y_px) const {
+  if (regions_ == nullptr) {
+    if (is_hidden(x_px, y_px)) return kUnknown;
+    const int x = static_cast<int>(std::floor(x_px + 0.5F)),
+              y = static_cast<int>(std::floor(y_px + 0.5F));
+    if (!holds(colours_->active, x, y)) return holds(known_, x, y) ? kBackgroundClass : kUnknown;
+    const std::size_t place = colours_->place(x, y);
+    return named({static_cast<float>(colours_->red[place]),
+                  static_cast<float>(colours_->green[place]),
+                  static_cast<float>(colours_->blue[place])});
+  }
   return class_of_label_[label_at(x_px, y_px)];
 }
 

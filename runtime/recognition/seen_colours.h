@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/recognition/hidden_part.h"
 #include "runtime/recognition/object_model.h"
 #include "runtime/vision/planes.h"
 #include "runtime/vision/segment.h"
@@ -32,12 +33,27 @@ class SeenColours {
   // No colour of the model: something else.
   static constexpr ColourClass kOther = 255;
 
+  // Of pixels: hidden, or beside the part of the picture that was looked at.
+  static constexpr ColourClass kUnknown = 254;
+
   // For `look`: regions of all blobs count.
   static constexpr int kAllBlobs = -1;
 
   // Regions outside of the blob count as background.
   void look(const RegionMap& regions, const Planes& colours, int blob, const ObjectModel& model,
             const LightGain& light);
+
+  // Without regions: each pixel is the colour that is nearest to its own. Only `known` was looked
+  // at; what is dark there need not be in `colours`. `hidden` stands before the object, null:
+  // nothing does.
+  void look_at_pixels(const Planes& colours, const Box& known, const HiddenPart* hidden,
+                      const ObjectModel& model, const LightGain& light);
+
+  // By something that is known to stand before the object.
+  bool is_hidden(float x_px, float y_px) const {
+    return hidden_ != nullptr && hidden_->hides(x_px, y_px);
+  }
+  bool has_regions() const { return regions_ != nullptr; }
 
   // Of the pixel that holds a point.
   ColourClass at(float x_px, float y_px) const;
@@ -56,11 +72,16 @@ class SeenColours {
   std::array<float, 3> rgb(float x_px, float y_px) const;
 
  private:
+  void expect(const ObjectModel& model, const LightGain& light);
   ColourClass nearest_to(const std::array<float, 3>& rgb) const;
+  ColourClass named(const std::array<float, 3>& rgb) const;
 
   const RegionMap* regions_ = nullptr;
   const Planes* colours_ = nullptr;
-  std::array<std::array<float, 3>, kMaxModelColours> expected_;  // shares under the light
+  Box known_;
+  const HiddenPart* hidden_ = nullptr;
+  // Shares under the light: all red ones, then green, then blue.
+  std::array<std::array<float, kMaxModelColours>, 3> expected_;
   std::size_t colour_count_ = 0;
   std::array<ColourClass, kMaxRegions + 1> class_of_label_{};
 };

@@ -16,7 +16,9 @@ class SizedRecogniser {
 
   // Before recognise(): has room for such a frame, or throws std::bad_alloc.
   void make_room(int width_px, int height_px);
-  Recognition recognise(const Frame& frame) noexcept { return recogniser_.recognise(frame); }
+  Recognition recognise(const Frame& frame, int steps = 1) noexcept {
+    return recogniser_.recognise(frame, steps);
+  }
   const RegionMap& regions() const { return recogniser_.regions(); }
   const Planes& colours() const { return recogniser_.colours(); }
   std::span<const CameraModel> cameras() const { return recogniser_.cameras(); }

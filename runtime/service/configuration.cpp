@@ -100,6 +100,8 @@ std::optional<Error> read_recognition(const toml::table& table, const std::strin
   reader.read("score_min", {0, 1e12}, overrides.score_min);
   reader.read("min_confidence", {0, 1}, overrides.confidence_min);
   reader.read("anywhere", overrides.anywhere);
+  reader.read("track", overrides.track);
+  reader.read("search_every", {1, kMostSearchEvery}, overrides.search_every);
   if (matching) overrides.matching = *matching == 0 ? Matching::simple : Matching::weighted;
   if (ranking) overrides.ranking = *ranking == 0 ? Ranking::views : Ranking::classes;
   return reader.finish();
@@ -173,6 +175,8 @@ void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
   replace(parameters.score_min, score_min);
   replace(parameters.confidence_min, confidence_min);
   replace(parameters.anywhere, anywhere);
+  replace(parameters.tracking.on, track);
+  replace(parameters.tracking.search_every, search_every);
 }
 
 void Configuration::apply(RecogniserParameters& parameters) const {

@@ -41,7 +41,8 @@ struct RecognitionOverrides {
   std::optional<int> top, shortlist_slack;
   std::optional<double> score_min;
   std::optional<double> confidence_min;
-  std::optional<bool> anywhere;
+  std::optional<bool> anywhere, track;
+  std::optional<int> search_every;
 
   void apply(RecogniserParameters& parameters) const;
 };

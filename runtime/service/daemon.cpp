@@ -93,7 +93,10 @@ void Daemon::run() {
 }
 
 void Daemon::on_frame(const CameraEvent& event) {
-  const Recognition recognition = recogniser_->recognise(event.frame);
+  const std::uint64_t missing = event.late + event.lost + damaged_;
+  const Recognition recognition = recogniser_->recognise(
+      event.frame,
+      1 + static_cast<int>(std::min<std::uint64_t>(missing, std::uint64_t{kMostSearchEvery})));
   const CaptureLabel capture = {seconds_since_1970(event.captured), Clock::now() - event.captured,
                                 event.late, event.lost, damaged_};
   const FrameLabel label = {camera_name(), event.sequence, event.frame.width_px,

@@ -130,6 +130,7 @@ void put_object(JsonText& json, const SeenObject& object, std::size_t hypotheses
     json.value(std::int64_t{edge});
   json.end_array();
   put(json, "regions", std::int64_t{object.regions});
+  if (object.track > 0) put(json, "track", std::int64_t{object.track});
   put_judgement(json, object.judgement, hypotheses);
   json.key("hypotheses");
   json.begin_array();

@@ -90,8 +90,7 @@ void Vision::prepare(Arena& arena, int width_px, int height_px, SensorKind senso
 ViewGraph Vision::run(const Frame& frame, const VisionParameters& parameters) noexcept {
   times_ = {};
   regions_ = {};
-  if (!is_whole(frame) || frame.width_px > width_px_ || frame.height_px > height_px_) return {};
-  if (parameters.sensor != sensor_ || !gives(sensor_, frame.format)) return {};
+  if (!can_see(frame, parameters)) return {};
   const bool has_colours = sensor_ == SensorKind::colour || sensor_ == SensorKind::grey;
   if (!(has_colours ? see_colours(frame, parameters) : see_codes(frame, parameters))) return {};
   const auto enhanced = Clock::now();
@@ -101,6 +100,18 @@ ViewGraph Vision::run(const Frame& frame, const VisionParameters& parameters) no
   times_.segment = segmented - enhanced;
   times_.features = Clock::now() - segmented;
   return graph;
+}
+
+bool Vision::look(const Frame& frame, const VisionParameters& parameters) noexcept {
+  times_ = {};
+  regions_ = {};
+  return can_see(frame, parameters) && sensor_ == SensorKind::colour &&
+         see_colours(frame, parameters);
+}
+
+bool Vision::can_see(const Frame& frame, const VisionParameters& parameters) const {
+  return is_whole(frame) && frame.width_px <= width_px_ && frame.height_px <= height_px_ &&
+         parameters.sensor == sensor_ && gives(sensor_, frame.format);
 }
 
 // False where the frame shows nothing.

@@ -33,6 +33,10 @@ class Vision {
   // graph. parameters.sensor must be what was prepared for, too. O(pixels).
   ViewGraph run(const Frame& frame, const VisionParameters& parameters) noexcept;
 
+  // Only the colours of parameters.region_of_interest, smoothed: no regions, and a fraction of the
+  // time. False where there is nothing to see.
+  bool look(const Frame& frame, const VisionParameters& parameters) noexcept;
+
   // Of the last run: for drawing and for the compiler's surface ids.
   const RegionMap& regions() const { return regions_; }
   const Planes& colours() const { return colours_; }  // smoothed, within their active part
@@ -41,6 +45,7 @@ class Vision {
   int max_height_px() const { return height_px_; }
 
  private:
+  bool can_see(const Frame& frame, const VisionParameters& parameters) const;
   bool see_colours(const Frame& frame, const VisionParameters& parameters);
   bool see_codes(const Frame& frame, const VisionParameters& parameters);
   ViewGraph build_graph(const VisionParameters& parameters);

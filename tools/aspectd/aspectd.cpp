@@ -32,7 +32,9 @@ The configuration is TOML; whatever is left out has a default, but for indexes.
                     others that an index was compiled with
   [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack,
                     min_confidence (probability from which an object is a match),
-                    anywhere = true (look for objects before any background as well as alone)
+                    anywhere = true (look for objects before any background as well as alone),
+                    track = true (follow objects from frame to frame: each has a number, and costs
+                    a fraction), search_every = 10 (frames; then new ones are looked for)
   [output]          stdout = true; and one table for each of
   [output.file]     path, max_mib, keep (older files kept)
   [output.socket]   path

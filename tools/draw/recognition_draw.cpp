@@ -37,7 +37,8 @@ std::string caption_of(const SeenObject& object, std::span<const ClassIndex> ind
       judgement.verdict == Verdict::none
           ? ""
           : fmt::format("{} {:.2f} ", name_of(judgement.verdict), judgement.probability);
-  return fmt::format("{} {}class {} score {:.3g} view {:.2f} {:.2f} {:.2f}", name, verdict,
+  const std::string track = object.track > 0 ? fmt::format("#{} ", object.track) : "";
+  return fmt::format("{}{} {}class {} score {:.3g} view {:.2f} {:.2f} {:.2f}", track, name, verdict,
                      best.class_id, best.score, best.view[0], best.view[1], best.view[2]);
 }
 

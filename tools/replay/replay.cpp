@@ -1,11 +1,13 @@
 #include "tools/replay/replay.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "runtime/capture/recorded_frames.h"
@@ -41,7 +43,7 @@ class FrameLoop {
   bool process(const CapturedFrame& frame) {
     try {
       recogniser_.make_room(frame.width_px, frame.height_px);
-      const Recognition recognition = recogniser_.recognise(frame.view());
+      const Recognition recognition = recogniser_.recognise(frame.view(), steps_to(frame));
       if (explainer_ != nullptr)
         explanations_ = explainer_->explain(frame.view(), recognition, recogniser_);
       if (!write(frame, recognition)) return false;
@@ -56,6 +58,14 @@ class FrameLoop {
   }
 
  private:
+  // Frames that could not be read count.
+  int steps_to(const CapturedFrame& frame) {
+    const std::uint64_t last = std::exchange(last_sequence_, frame.sequence);
+    return frame.sequence > last ? static_cast<int>(std::min<std::uint64_t>(
+                                       frame.sequence - last, std::uint64_t{kMostSearchEvery}))
+                                 : 1;
+  }
+
   bool write(const CapturedFrame& frame, const Recognition& recognition) {
     const FrameLabel label = {frame.name, frame.sequence, frame.width_px, frame.height_px};
     const std::size_t length = write_recognition_json(label, recognition, indexes_,
@@ -73,6 +83,7 @@ class FrameLoop {
   std::unique_ptr<char[]> line_;
   FrameExplainer* explainer_;  // null: nobody asked
   std::vector<std::string> explanations_;
+  std::uint64_t last_sequence_ = 0;
 };
 
 // False: the output has gone.
@@ -132,6 +143,13 @@ int replay(const ReplayOptions& options) {
   parameters.vision = indexes.front().vision;
   configuration.apply(parameters);
   options.recognition.apply(parameters);
+  TrackingParameters& tracking = parameters.tracking;
+  if (tracking.on && options.explain && !options.explain->empty())
+    return console.fail("--explain " + *options.explain +
+                        ": what was not chosen is not followed; leave --track out"),
+           kFailed;
+  // What is only followed has no contours to explain it by.
+  if (options.explain) tracking.search_every = 1;
 
   std::optional<FrameExplainer> explainer;
   if (options.explain) explainer.emplace(indexes);

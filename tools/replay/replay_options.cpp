@@ -29,6 +29,12 @@ it as well, hypotheses, the best first: [{object, class, score, matched, unmatch
 from the object's centre to the camera, pose: {quaternion: [w, x, y, z], translation,
 reprojection_px, covariance}, contours: [[number in the frame, name in the class], ...]}]}].
 
+--track follows objects from frame to frame. A match then has track, a number from 1 on that stays:
+through frames in which the object is hidden or out of the picture, for 90 of them, and never given
+to another one. Between searches only what is followed is looked for and listed, nearest first,
+each with one hypothesis without contours; its probability is that of its last recognition.
+With --explain every frame is searched.
+
 --explain adds explanation to each object, of its best hypothesis: {contours: [{contour: number in
 the frame, name: in the class, surfaces: primitives of the scene from 1, colour: shares of red,
 green and blue}], missing: what the model shows in that pose and the picture does not [{name,
@@ -132,6 +138,14 @@ void add_recognition(CLI::App& app, RawOptions& raw) {
          "probability from which an object is a match, 0 to 1 [0.5]")
       ->check(CLI::Range(0.0, 1.0).description(""))
       ->type_name("P");
+  app.add_flag_function(
+      "--track", [&overrides](std::int64_t) { overrides.track = true; },
+      "follow objects from frame to frame: each keeps a number, and costs a fraction");
+  app.add_option_function<int>(
+         "--search-every", [&overrides](int frames) { overrides.search_every = frames; },
+         "with --track: all of every N-th frame is searched for new objects, 1: of each [10]")
+      ->check(CLI::Range(1, kMostSearchEvery).description(""))
+      ->type_name("N");
   add_choice<Matching>(app, "--matching", overrides.matching,
                        {{"simple", Matching::simple}, {"weighted", Matching::weighted}},
                        "match most contours, or of those the best scored [weighted]");
