@@ -104,7 +104,7 @@ TEST_CASE("Wrong usage is told in one line") {
         "--index flag.aspect --matching best frames", "--index flag.aspect --ranking best frames",
         "--index flag.aspect --pace 0 frames", "--index flag.aspect --pace nan frames",
         "--self-test", "--index flag.aspect --self-test frames",
-        "--index flag.aspect --bogus frames", "--index flag.aspect --track frames"}) {
+        "--index flag.aspect --bogus frames", "--index flag.aspect --search-every 0 frames"}) {
     const Outcome outcome = replay.run(arguments);
     INFO(arguments);
     CHECK(outcome.exit_code == 2);
@@ -118,8 +118,9 @@ TEST_CASE("Help and version are printed") {
   const Replay replay;
   const Outcome help = replay.run("--help");
   CHECK(help.exit_code == 0);
-  for (const char* option : {"--index", "--config", "--top", "--overlay", "--dump", "--pace",
-                             "--matching", "--ranking", "--self-test", "--explain"})
+  for (const char* option :
+       {"--index", "--config", "--top", "--overlay", "--dump", "--pace", "--matching", "--ranking",
+        "--self-test", "--explain", "--track", "--search-every"})
     CHECK_THAT(help.out, Contains(option));
   const Outcome version = replay.run("--version");
   CHECK(version.exit_code == 0);

@@ -20,7 +20,9 @@ class OwnedRecogniser {
     });
   }
 
-  Recognition recognise(const Frame& frame) { return recogniser_->recognise(frame); }
+  Recognition recognise(const Frame& frame, int steps = 1) {
+    return recogniser_->recognise(frame, steps);
+  }
   std::size_t arena_bytes() const { return memory_.bytes(); }
 
  private:

@@ -55,6 +55,26 @@ TEST_CASE("a thousand frames are recognised without memory from the heap") {
   CHECK(changed == 0);
 }
 
+TEST_CASE("what moves, is lost and comes back is followed without memory from the heap") {
+  ModelCamera cube("cube");
+  std::vector<OwnedFrame> frames;
+  for (int k = 0; k < 12; ++k) {
+    frames.push_back(striped(1024, 512));
+    if (k != 7) paste(cube.view({0.48, 0.6, 0.64}, 0.03 * k), 20 * k, 0, frames.back());
+  }
+  RecogniserParameters parameters;
+  parameters.tracking = {true, 5};
+  OwnedRecogniser owned(cube_and_l_shape(), parameters, 1024, 512);
+  int followed = 0;
+  const std::uint64_t before = allocation_count();
+  for (int k = 0; k < rounds(96); ++k)
+    for (const SeenObject& object :
+         owned.recognise(frames[static_cast<std::size_t>(k) % frames.size()].frame()).objects)
+      followed += object.track > 0 ? 1 : 0;
+  CHECK(allocation_count() - before == 0);
+  CHECK(followed > rounds(96) / 2);
+}
+
 TEST_CASE("the counter that says so counts in this program") {
   const std::uint64_t before = allocation_count();
   const std::vector<OwnedFrame> frames = varied_frames();

@@ -80,6 +80,21 @@ TEST_CASE("All of segmentation and recognition is applied") {
   CHECK(parameters.shortlist_slack == 0);
 }
 
+TEST_CASE(
+    "Tracking is off until it is asked for, and new objects are looked for as often as said") {
+  const auto parameters_of = [](const char* text) {
+    const auto configuration = parse_configuration(text, "c.toml");
+    REQUIRE(configuration.ok());
+    RecogniserParameters parameters;
+    configuration.value().apply(parameters);
+    return parameters.tracking;
+  };
+  CHECK_FALSE(parameters_of("").on);
+  CHECK(parameters_of("").search_every == 10);
+  CHECK(parameters_of("[recognition]\ntrack = true\n").on);
+  CHECK(parameters_of("[recognition]\nsearch_every = 1\n").search_every == 1);
+}
+
 TEST_CASE("Unknown names are refused with their line and the nearest known name") {
   CHECK_THAT(error_of("\n[segmentation]\nchroma_stp = 3\n"),
              StartsWith("c.toml:3: ") && Contains("did you mean chroma_step?"));
@@ -107,6 +122,9 @@ TEST_CASE("Wrong types and numbers out of range are refused with their line") {
       {"segmentation = 3\n", "c.toml:1: segmentation is 3; it must be a table"},
       {"[[camera]]\nwidth = 3\n", "c.toml:1: camera is an array; it must be a table"},
       {"[recognition]\ntop = 65\n", "c.toml:2: [recognition] top is 65"},
+      {"[recognition]\ntrack = 1\n", "c.toml:2: [recognition] track is 1"},
+      {"[recognition]\nsearch_every = 0\n", "c.toml:2: [recognition] search_every is 0"},
+      {"[recognition]\nsearch_every = 1001\n", "c.toml:2: [recognition] search_every is 1001"},
       {"[recognition]\ntop = 1979-05-27\n", "c.toml:2: [recognition] top is a date or time"},
       {"[recognition]\nmatching = 'best'\n",
        "c.toml:2: [recognition] matching is \"best\"; it "

@@ -29,6 +29,7 @@ class MadeUp {
       const auto list = std::span(hypotheses_).subspan(k * hypotheses, hypotheses);
       objects_.push_back({{static_cast<int>(k), 20, 30, 40}, 5, judgement(list.size()), list});
     }
+    if (!objects_.empty()) objects_.front().track = 7;
     recognition_.objects = objects_;
     recognition_.elapsed = std::chrono::nanoseconds(1900001);
     recognition_.stages.convert = std::chrono::nanoseconds(250000);
@@ -104,6 +105,9 @@ TEST_CASE("A line of JSON holds what was recognised") {
   REQUIRE(parsed["objects"].size() == 3);
   CHECK(parsed["objects"][2]["box"] == json::array({2, 20, 30, 40}));
   CHECK(parsed["objects"][2]["regions"] == 5);
+  // The first one is followed.
+  CHECK(parsed["objects"][0]["track"] == 7);
+  CHECK_FALSE(parsed["objects"][1].contains("track"));
 }
 
 TEST_CASE("Hypotheses read back as they were") {

@@ -113,6 +113,25 @@ TEST_CASE("a region of interest cuts what reaches out of it") {
   REQUIRE(graph.contours[0].box == Box{150, 60, 30, 20});
 }
 
+TEST_CASE("a look at a part of a frame has its colours as a run, and no regions") {
+  const cv::Mat picture = three_blobs();
+  VisionParameters parameters;
+  parameters.region_of_interest = {40, 10, 90, 100};
+  OwnedVision runs(200, 120), looks(200, 120);
+  runs.run(frame_of(picture), parameters);
+  REQUIRE(looks.vision().look(frame_of(picture), parameters));
+  CHECK(looks.vision().regions().regions.empty());
+  const Planes &a = runs.vision().colours(), &b = looks.vision().colours();
+  REQUIRE(a.active == b.active);
+  for (int y = a.active.y; y < a.active.y + a.active.height; ++y)
+    for (int x = a.active.x; x < a.active.x + a.active.width; ++x) {
+      REQUIRE(a.red[a.place(x, y)] == b.red[b.place(x, y)]);
+      REQUIRE(a.blue[a.place(x, y)] == b.blue[b.place(x, y)]);
+    }
+  parameters.region_of_interest = {0, 100, 30, 20};
+  CHECK_FALSE(looks.vision().look(frame_of(picture), parameters));
+}
+
 TEST_CASE("frames without pixels, too large ones and black ones give an empty graph") {
   OwnedVision vision(64, 48);
   const cv::Mat black = cv::Mat::zeros(48, 64, CV_8UC3);
