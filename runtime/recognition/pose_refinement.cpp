@@ -129,13 +129,20 @@ RigidPose moved(const RigidPose& pose, const Vector3d& centre, const std::array<
   return next;
 }
 
-// Border points of an earlier pose to where they are now; their normals hardly turn.
-void move_points(std::span<BorderPoint> points, const RigidPose& pose, const CameraModel& camera) {
+// Border points of an earlier pose to where they are now; their normals hardly turn. False where
+// one of them has left all pictures.
+bool move_points(std::span<BorderPoint> points, const RigidPose& pose, const CameraModel& camera) {
+  constexpr double kFarthest_px = 1e5;
   for (BorderPoint& point : points) {
     const Vector3d p = pose(point.point_object);
-    point.x_px = static_cast<float>(camera.cx_px + camera.fx_px * p[0] / p[2]);
-    point.y_px = static_cast<float>(camera.cy_px + camera.fy_px * p[1] / p[2]);
+    if (!(p[2] > 0)) return false;
+    const double x = camera.cx_px + camera.fx_px * p[0] / p[2],
+                 y = camera.cy_px + camera.fy_px * p[1] / p[2];
+    if (!(std::abs(x) < kFarthest_px && std::abs(y) < kFarthest_px)) return false;
+    point.x_px = static_cast<float>(x);
+    point.y_px = static_cast<float>(y);
   }
+  return true;
 }
 
 // How far a point of the object moves, at most.
@@ -160,12 +167,12 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
     // Only the last one is compared with the picture cell by cell.
     const bool is_last = round == rounds;
     const int cells = is_last ? ModelDrawing::kMostCells : detail.round_cells;
-    if (is_last || rounds_drawn == 0 || rounds_drawn == detail.rounds_a_drawing) {
+    if (is_last || rounds_drawn == 0 || rounds_drawn == detail.rounds_a_drawing ||
+        !move_points(std::span(scratch.points).first(count), refined.pose, camera)) {
       if (!scratch.drawing.draw(model, refined.pose, camera, box, cells)) return refined;
       count = find_border_points(model, scratch.drawing, scratch.points);
       rounds_drawn = 1;
     } else {
-      move_points(std::span(scratch.points).first(count), refined.pose, camera);
       ++rounds_drawn;
     }
     refined.borders_found = 0;
@@ -190,7 +197,8 @@ RefinedPose refine_pose(const ObjectModel& model, const CameraModel& camera,
       squares += weight * m.distance_px * m.distance_px;
       weights += weight;
     }
-    refined.borders_met = static_cast<float>(met) / static_cast<float>(std::max<std::size_t>(count, 1));
+    refined.borders_met =
+        static_cast<float>(met) / static_cast<float>(std::max<std::size_t>(count, 1));
     refined.reprojection_px = static_cast<float>(std::sqrt(squares / std::max(weights, 1e-9)));
     if (refined.borders_found < kLeastBorders) return refined;
     if (round == rounds) {

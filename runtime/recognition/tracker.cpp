@@ -54,7 +54,7 @@ Rotation share_of(const Rotation& turn, int parts) {
 
 // By the number of colours seen, from one on; a new object's are 0.93, 0.68 and 0.58 from two on.
 bool is_good(const SceneAgreement& agreement) {
-  constexpr std::array<float, 4> kLeast{0.8F, 0.7F, 0.55F, 0.48F};
+  constexpr std::array<float, 4> kLeast{0.7F, 0.62F, 0.55F, 0.48F};
   constexpr float kLeastInside = 0.3F;
   if (agreement.colours < 1 || agreement.inside < kLeastInside) return false;
   const auto place = std::min<std::size_t>(static_cast<std::size_t>(agreement.colours), 4) - 1;
@@ -342,17 +342,8 @@ void Tracker::part_doubles() {
     }
 }
 
-void Tracker::forget_unknown() {
-  const auto tracks = std::span(tracks_).first(track_count_);
-  const auto kept = std::remove_if(tracks.begin(), tracks.end(), [](const Track& t) {
-    return t.seen_frames < Track::kKnown && !t.is_followed;
-  });
-  track_count_ = static_cast<std::size_t>(kept - tracks.begin());
-}
-
 void Tracker::finish() {
   part_doubles();
-  forget_unknown();
   for (const Track& track : tracks())
     has_just_lost_ = has_just_lost_ || (!track.is_followed && track.lost_frames <= frame_.steps);
 }

@@ -33,7 +33,7 @@ struct TrackedFrame {
 };
 
 struct Track {
-  // Seen in fewer frames, it was nothing where it is lost.
+  // Seen in fewer frames, it was nothing where it is lost and a search does not find it.
   static constexpr int kKnown = 5;
 
   std::uint32_t number = 0;  // from 1 on, never given twice
@@ -127,7 +127,6 @@ class Tracker {
   Sight sight_of_aspects(const Track& track);
   void see(Track& track, const Sight& sight);
   void part_doubles();
-  void forget_unknown();
   Track* followed_at(const RecognisedObject& object, bool same_index);
   Track* lost_one(const RecognisedObject& object);
 

@@ -30,9 +30,13 @@ void Tracker::begin_search(const Planes& colours, const Box& known) {
 }
 
 void Tracker::finish_search() {
-  for (Track& track : std::span(tracks_).first(track_count_))
-    if (!track.is_claimed && track.seen_frames < Track::kKnown) track.is_followed = false;
-  forget_unknown();
+  const auto is_nothing = [](const Track& track) {
+    return track.seen_frames < Track::kKnown && !track.is_claimed &&
+           !(track.is_followed && track.agreement.margin >= 0);
+  };
+  const auto tracks = std::span(tracks_).first(track_count_);
+  track_count_ = static_cast<std::size_t>(std::remove_if(tracks.begin(), tracks.end(), is_nothing) -
+                                          tracks.begin());
 }
 
 Track* Tracker::followed_at(const RecognisedObject& object, bool same_index) {
