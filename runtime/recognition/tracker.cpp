@@ -33,7 +33,7 @@ constexpr int kMostAhead = 4, kPatience = 90;
 constexpr int kLostEvery = 2;
 // How far an object may be from where it is looked for: borders, in shares of half its size; then
 // what is no motion any more, in shares of its radius and as a factor of its distance.
-constexpr float kLeastReach_px = 4, kReach = 0.1F, kMargin_px = 6;
+constexpr float kLeastFollowReach_px = 4, kFollowReach = 0.1F, kFollowMargin_px = 6;
 constexpr double kMostTurn_rad = 0.6, kMostShift = 0.6, kMostNearer = 1.35;
 constexpr double kDoubleTurn_rad = 0.5;
 // A score so far below what it was lately asks for another start; what it was lately follows a fall
@@ -146,9 +146,10 @@ void Tracker::place_box(Track& track) {
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
   }
-  track.reach_px = std::max(kLeastReach_px,
-                            kReach * static_cast<float>(std::max(right - left, bottom - top)) / 2);
-  const double margin = static_cast<double>(track.reach_px + kMargin_px);
+  track.reach_px =
+      std::max(kLeastFollowReach_px,
+               kFollowReach * static_cast<float>(std::max(right - left, bottom - top)) / 2);
+  const double margin = static_cast<double>(track.reach_px + kFollowMargin_px);
   const int x = static_cast<int>(std::max(0.0, left - margin)),
             y = static_cast<int>(std::max(0.0, top - margin));
   const int end_x = static_cast<int>(std::min<double>(frame_.width_px, right + margin)),
