@@ -15,15 +15,15 @@
 namespace aspect {
 namespace {
 
-constexpr int kWidth_px = 480, kHeight_px = 320, kLater = 1000;
-constexpr double kField_deg = 50, kPerRad_deg = 57.29577951308232;
-const CameraModel kCamera = centred_camera(kField_deg, kWidth_px, kHeight_px);
+constexpr int kClipWidth_px = 480, kClipHeight_px = 320, kLater = 1000;
+constexpr double kClipField_deg = 50, kDegPerRad = 57.29577951308232;
+const CameraModel kClipCamera = centred_camera(kClipField_deg, kClipWidth_px, kClipHeight_px);
 
 OwnedRecogniser tracking(int search_every, bool on = true) {
   RecogniserParameters parameters;
-  parameters.camera = CalibratedCamera{kCamera, 0};
+  parameters.camera = CalibratedCamera{kClipCamera, 0};
   parameters.tracking = {on, search_every};
-  return {cube_and_l_shape(), parameters, kWidth_px, kHeight_px};
+  return {cube_and_l_shape(), parameters, kClipWidth_px, kClipHeight_px};
 }
 
 // A turning object on its way; in radii of it.
@@ -44,13 +44,13 @@ struct Mover {
 };
 
 OwnedFrame painted(std::span<const Mover> movers, double time, bool on_stripes = true) {
-  constexpr auto kBytes = std::size_t{3} * kWidth_px * kHeight_px;
-  OwnedFrame frame = on_stripes
-                         ? striped(kWidth_px, kHeight_px)
-                         : OwnedFrame{kWidth_px, kHeight_px, std::vector<std::uint8_t>(kBytes)};
+  constexpr auto kBytes = std::size_t{3} * kClipWidth_px * kClipHeight_px;
+  OwnedFrame frame =
+      on_stripes ? striped(kClipWidth_px, kClipHeight_px)
+                 : OwnedFrame{kClipWidth_px, kClipHeight_px, std::vector<std::uint8_t>(kBytes)};
   std::vector<PlacedModel> placed;
   for (const Mover& mover : movers) placed.push_back(mover.at(time));
-  paint(placed, kCamera, frame);
+  paint(placed, kClipCamera, frame);
   return frame;
 }
 
@@ -71,7 +71,7 @@ Seen seen_of(std::span<const Mover> movers, double time, const Recognition& reco
       const RigidPose pose = mover.at(time).pose, found = best.pose->refined.pose;
       const ObjectModel& model = *mover.at(time).model;
       return mover.index == best.index &&
-             kPerRad_deg * angle_between_rad(found.rotation, pose.rotation) < kNear_deg &&
+             kDegPerRad * angle_between_rad(found.rotation, pose.rotation) < kNear_deg &&
              norm(found(model.centre) - pose(model.centre)) < 0.5 * model.radius;
     });
     if (it == movers.end())
@@ -219,12 +219,12 @@ TEST_CASE("between searches only the parts of a frame count in which something i
     const Box box = recognition.objects.back().box;
     // All but the box and a margin is black.
     const int margin_px = 40;
-    for (int y = 0; time > 0 && y < kHeight_px; ++y)
-      for (int x = 0; x < kWidth_px; ++x)
+    for (int y = 0; time > 0 && y < kClipHeight_px; ++y)
+      for (int x = 0; x < kClipWidth_px; ++x)
         if (x < box.x - margin_px || x >= box.x + box.width + margin_px || y < box.y - margin_px ||
             y >= box.y + box.height + margin_px)
           for (std::size_t c = 0; c < 3; ++c)
-            frame.rgb[3 * static_cast<std::size_t>(y * kWidth_px + x) + c] = 0;
+            frame.rgb[3 * static_cast<std::size_t>(y * kClipWidth_px + x) + c] = 0;
     CHECK(same(recognition, other.recognise(frame.frame())));
   }
 }
@@ -274,7 +274,7 @@ TEST_CASE("frames of another size begin anew, and no number is given twice") {
   OwnedRecogniser recogniser = tracking(kLater);
   const OwnedFrame frame = painted(movers, 0);
   CHECK(seen_of(movers, 0, recogniser.recognise(frame.frame())).numbers[0] == 1);
-  const OwnedFrame small = striped(kWidth_px / 2, kHeight_px / 2);
+  const OwnedFrame small = striped(kClipWidth_px / 2, kClipHeight_px / 2);
   CHECK(is_searched(recogniser.recognise(small.frame())));
   CHECK(seen_of(movers, 0, recogniser.recognise(frame.frame())).numbers[0] == 2);
 }
@@ -300,16 +300,17 @@ TEST_CASE("what a drawing covers is hidden, and nothing far from it") {
   ModelDrawing drawing;
   PlannedMemory memory;
   memory.plan([&](Arena& arena) { drawing.prepare(arena, placed.model->vertices.size()); });
-  REQUIRE(drawing.draw_alone(*placed.model, placed.pose, kCamera, kWidth_px, kHeight_px, 32));
+  REQUIRE(drawing.draw_alone(*placed.model, placed.pose, kClipCamera, kClipWidth_px, kClipHeight_px,
+                             32));
   HiddenPart hidden;
-  hidden.start({0, 0, kWidth_px, kHeight_px});
+  hidden.start({0, 0, kClipWidth_px, kClipHeight_px});
   CHECK_FALSE(hidden.any());
-  hidden.hide(drawing, kCamera);
+  hidden.hide(drawing, kClipCamera);
   CHECK(hidden.any());
-  const float slack_px = 2 * drawing.cell_px() + static_cast<float>(kWidth_px) / 32;
+  const float slack_px = 2 * drawing.cell_px() + static_cast<float>(kClipWidth_px) / 32;
   int covered = 0;
-  for (int y = -50; y < kHeight_px + 50; y += 5)
-    for (int x = -50; x < kWidth_px + 50; x += 5) {
+  for (int y = -50; y < kClipHeight_px + 50; y += 5)
+    for (int x = -50; x < kClipWidth_px + 50; x += 5) {
       const auto fx = static_cast<float>(x), fy = static_cast<float>(y);
       if (drawing.at(fx, fy).covered) {
         ++covered;
