@@ -83,17 +83,17 @@ void SceneStarts::see_regions(const SeenScene& scene, const ClassIndex& index) {
   };
   region_count_ = 0;
   colours_of_label_[0] = 0;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    const auto blob = static_cast<std::size_t>(regions[r].blob);
-    colours_of_label_[r + 1] = blob < scene.taken.size() && scene.taken[blob]
-                                   ? 0
-                                   : colours_near(index.model, regions[r].mean_rgb);
-  }
-  for (const RegionPart& part : parts_.all()) {
-    // Blobs that are taken have no colours.
-    const auto blob = static_cast<std::size_t>(regions[part.label - 1U].blob);
+  // Blobs that are taken have no colours.
+  const auto colours_of = [&](std::size_t region, const std::array<float, 3>& rgb) {
+    const auto blob = static_cast<std::size_t>(regions[region].blob);
     const bool is_taken = blob < scene.taken.size() && scene.taken[blob];
-    const std::uint64_t colours = is_taken ? 0 : colours_near(index.model, part.mean_rgb);
+    return is_taken ? 0 : colours_near(index.model, rgb);
+  };
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    colours_of_label_[r + 1] = colours_of(r, regions[r].mean_rgb);
+  for (const RegionPart& part : parts_.all()) {
+    const std::uint64_t colours =
+        part.is_region ? colours_of_label_[part.label] : colours_of(part.label - 1U, part.mean_rgb);
     if (colours == 0 || part.area_px > most_px) continue;
     // Regions come before what is cut of them or joined: the largest of them are kept.
     const bool is_full = region_count_ == kMostRegions;
