@@ -1,5 +1,6 @@
 #include "compiler/index/calibration.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -124,12 +125,13 @@ MadeFrame narrowed(const MadeFrame& frame, double times) {
 void blur(MadeFrame& frame, int right, int down) {
   const MadeFrame source = frame;
   const std::ptrdiff_t step = 3 * (std::ptrdiff_t{down} * frame.width_px + right);
-  for (int y = down; y + down < frame.height_px; ++y)
-    for (int x = right; x + right < frame.width_px; ++x) {
-      const float* from = &source.rgb[3 * static_cast<std::size_t>(y * frame.width_px + x)];
-      for (std::ptrdiff_t c = 0; c < 3; ++c)
-        frame.at(x, y)[c] = (from[c - step] + 2 * from[c] + from[c + step]) / 4;
-    }
+  for (int y = down; y + down < frame.height_px; ++y) {
+    const float* from = &source.rgb[3 * static_cast<std::size_t>(y * frame.width_px + right)];
+    float* to = frame.at(right, y);
+    const std::ptrdiff_t count = std::ptrdiff_t{3} * (frame.width_px - 2 * right);
+    for (std::ptrdiff_t k = 0; k < count; ++k)
+      to[k] = (from[k - step] + 2 * from[k] + from[k + step]) / 4;
+  }
 }
 
 std::vector<std::uint8_t> photographed(MadeFrame frame, Dice& dice) {
@@ -145,11 +147,17 @@ std::vector<std::uint8_t> photographed(MadeFrame frame, Dice& dice) {
   }
   std::vector<std::uint8_t> bytes(frame.rgb.size());
   constexpr std::size_t kRun = 256;  // samples that follow one another
-  std::size_t from = 0;
-  for (std::size_t k = 0; k < bytes.size(); ++k) {
-    if (k % kRun == 0) from = dice.below(noise_of.size() - kRun);
-    bytes[k] = static_cast<std::uint8_t>(std::clamp(
-        frame.rgb[k] * gain[k % 3] + noise * noise_of[from + k % kRun] + 0.5F, 0.0F, 255.0F));
+  // Of each channel in turn, as long as a run from any channel on.
+  std::array<float, kRun + 2> gains;
+  for (std::size_t k = 0; k < gains.size(); ++k) gains[k] = gain[k % 3];
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kRun) {
+    const std::size_t count = std::min(kRun, bytes.size() - begin);
+    const float* samples = &noise_of[dice.below(noise_of.size() - kRun)];
+    const float* gain_of = &gains[begin % 3];
+    const float* from = &frame.rgb[begin];
+    for (std::size_t k = 0; k < count; ++k)
+      bytes[begin + k] = static_cast<std::uint8_t>(
+          std::clamp(from[k] * gain_of[k] + noise * samples[k] + 0.5F, 0.0F, 255.0F));
   }
   return bytes;
 }
@@ -172,7 +180,7 @@ RecogniserParameters parameters_of(const ClassIndex& index) {
 
 std::array<std::optional<CalibrationSample>, 2> samples_of(const Workshop& workshop,
                                                            const Scene& scene,
-                                                           const ClassIndex& index,
+                                                           SizedRecogniser& recogniser,
                                                            std::size_t view) {
   Dice dice(view + 1);
   Picture picture;
@@ -192,7 +200,6 @@ std::array<std::optional<CalibrationSample>, 2> samples_of(const Workshop& works
   else
     repaint(other, picture, scene, dice);
   const bool is_other = stretch > 1 || changed_share(object, other) > kChanged;
-  SizedRecogniser recogniser(std::span(&index, 1), parameters_of(index));
   recogniser.make_room(picture.width_px, picture.height_px);
   const auto agreement_in = [&](const MadeFrame& frame, double narrower) {
     const std::vector<std::uint8_t> rgb =
@@ -240,8 +247,10 @@ std::optional<Calibration> calibrated(const Workshop& workshop, const Scene& sce
                                       const ClassIndex& index) {
   if (index.model.empty() || index.vision.sensor != SensorKind::colour) return std::nullopt;
   std::vector<std::array<std::optional<CalibrationSample>, 2>> found(kViews);
+  tbb::enumerable_thread_specific<SizedRecogniser> recognisers(
+      [&] { return SizedRecogniser(std::span(&index, 1), parameters_of(index)); });
   tbb::parallel_for(std::size_t{0}, kViews, [&](std::size_t view) {
-    found[view] = samples_of(workshop, scene, index, view);
+    found[view] = samples_of(workshop, scene, recognisers.local(), view);
   });
   // What the frames made here are not: things that are like the object, and cameras worse than
   // these. Both count as a few frames more.

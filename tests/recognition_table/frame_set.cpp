@@ -62,7 +62,7 @@ SetFigures figures_of(const Score& score, std::span<const TrueFrame> truth) {
 }  // namespace
 
 Result<std::vector<fs::path>> compiled_scenes(const SetPrograms& programs, const fs::path& scenes,
-                                              const fs::path& work) {
+                                              int level, const fs::path& work) {
   fs::create_directories(work);
   std::vector<fs::path> indexes;
   for (const auto& entry : fs::directory_iterator(scenes)) {
@@ -73,10 +73,11 @@ Result<std::vector<fs::path>> compiled_scenes(const SetPrograms& programs, const
     };
     indexes.push_back(index);
     if (fs::exists(index) && !is_older(programs.aspectc) && !is_older(entry.path())) continue;
-    const Outcome outcome = ChildProgram(programs.aspectc, work,
-                                         {entry.path().native(), "-o", index.native(), "--level",
-                                          "4", "--no-store", "--progress", "never"})
-                                .wait();
+    const Outcome outcome =
+        ChildProgram(programs.aspectc, work,
+                     {entry.path().native(), "-o", index.native(), "--level", std::to_string(level),
+                      "--no-store", "--progress", "never"})
+            .wait();
     if (outcome.exit_code != 0) return complaint(outcome.err);
   }
   std::sort(indexes.begin(), indexes.end());

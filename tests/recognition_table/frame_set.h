@@ -13,10 +13,11 @@ struct SetPrograms {
   std::filesystem::path aspectc, replay;
 };
 
-// The index of every scene NAME.b of a folder, of level 4, as work/NAME.aspect. What is newer than
-// scene and compiler is kept.
+// The index of every scene NAME.b of a folder, as work/NAME.aspect. What is newer than scene and
+// compiler is kept.
 Result<std::vector<std::filesystem::path>> compiled_scenes(const SetPrograms& programs,
                                                            const std::filesystem::path& scenes,
+                                                           int level,
                                                            const std::filesystem::path& work);
 
 // A folder of frames: truth.csv, frames/, camera.toml or segmentation.toml where it has one.

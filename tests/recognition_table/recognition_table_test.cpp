@@ -38,7 +38,7 @@ class Sets {
 
   Result<SetFigures> measure(const TableRow& row) const {
     const fs::path indexes_work = work_ / fs::path(row.indexes).filename();
-    const auto indexes = compiled_scenes(programs_, *folder(row.indexes), indexes_work);
+    const auto indexes = compiled_scenes(programs_, *folder(row.indexes), row.level, indexes_work);
     if (!indexes) return Error{indexes.error()};
     const fs::path work =
         row.frames == row.indexes

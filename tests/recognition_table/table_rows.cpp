@@ -12,9 +12,9 @@ namespace aspect {
 namespace {
 
 constexpr const char* kColumns =
-    "frames_of,indexes_of,frames,things,least_right,most_false,least_within_20,"
+    "frames_of,indexes_of,level,frames,things,least_right,most_false,least_within_20,"
     "largest_median_deg,slowest_ratio";
-constexpr std::size_t kColumnCount = 9;
+constexpr std::size_t kColumnCount = 10;
 
 }  // namespace
 
@@ -45,7 +45,8 @@ Result<std::vector<TableRow>> read_table(const std::filesystem::path& file) {
     const auto count = [&](std::size_t k) { return static_cast<std::size_t>(numbers[k]); };
     rows.push_back({row.fields[0],
                     row.fields[1],
-                    {count(0), count(1), count(2), count(3), count(4), numbers[5], numbers[6]}});
+                    static_cast<int>(numbers[0]),
+                    {count(1), count(2), count(3), count(4), count(5), numbers[6], numbers[7]}});
   }
   if (rows.empty()) return Error{fmt::format("{}: has no rows", file.native())};
   return rows;
@@ -54,6 +55,7 @@ Result<std::vector<TableRow>> read_table(const std::filesystem::path& file) {
 std::string table_text(const std::vector<TableRow>& rows) {
   std::string text =
       "# How well sets of frames are recognised, at the least: recognition_table_test holds it.\n"
+      "# level: that the indexes are compiled at, the same for all rows of a folder of indexes.\n"
       "# things: objects to be named, and frames in which nothing is to be named; least_right of\n"
       "# them, which is what a better recogniser raises to things. most_false: things named where\n"
       "# no such object is, which it lowers to 0. Rows whose frames show none of their indexes'\n"
@@ -64,8 +66,8 @@ std::string table_text(const std::vector<TableRow>& rows) {
   text += '\n';
   for (const TableRow& row : rows) {
     const SetFigures& limits = row.limits;
-    text += fmt::format("{},{},{},{},{},{},{},{:.1f},{:.0f}\n", row.frames, row.indexes,
-                        limits.frames, limits.things, limits.right, limits.false_ones,
+    text += fmt::format("{},{},{},{},{},{},{},{},{:.1f},{:.0f}\n", row.frames, row.indexes,
+                        row.level, limits.frames, limits.things, limits.right, limits.false_ones,
                         limits.within_20, limits.median_deg, limits.time_ratio);
   }
   return text;

@@ -22,6 +22,7 @@ struct SetFigures {
 
 struct TableRow {
   std::string frames, indexes;  // a folder with frames and truth; one whose scenes are compiled
+  int level = 4;                // at which they are
   SetFigures limits;
 };
 
