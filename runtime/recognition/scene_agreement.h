@@ -17,12 +17,14 @@ struct SceneAgreement {
   float score = 0;
   float inside = 0;  // the share of the drawn cells that lies within the picture, not hidden
   int colours = 0;   // of the object that are seen
-  // Of the score and of the borders that are met over what so many colours need: the object is
-  // there from 0 on.
+  // Of the log odds that the object is there over what is needed to say so, divided by
+  // kLogOddsOfMargin: from 0 on it is.
   float margin = -1;
   Box box;           // what is drawn, within the picture
   Labels explained;  // regions that are for the most part seen as drawn
 };
+
+inline constexpr double kLogOddsOfMargin = 14.2;
 
 // `borders_met`: of RefinedPose, 1 where nothing has been refined yet. Regions `of_others` hide the
 // object. O(cells).

@@ -8,13 +8,13 @@
 namespace aspect {
 namespace {
 
-constexpr int kStartCells = 20, kFinalCells = 40, kRounds = 7, kCorrections = 2;
-constexpr std::size_t kMostInPlace = 3;
+constexpr int kStartCells = 20, kFinalCells = 40, kRoundCells = 64, kRounds = 7, kCorrections = 2;
+constexpr std::size_t kMostInPlace = 5;
 constexpr float kSureMargin = 0.46F;
 // A start that explains less of its key view is not drawn.
 constexpr float kWorth = 0.25F;
 // A drawing that shows less than this of what it should is not worth refining.
-constexpr float kHopeful = 0.35F, kLeastMargin = -1.05F;
+constexpr float kHopeful = 0.35F;
 constexpr float kPlaceShare = 0.4F, kSameObjectShare = 0.7F;
 // A start of this margin that is worse when refined is refined once more.
 constexpr float kPromising = -0.2F, kAlmostAll = 0.95F;
@@ -30,14 +30,6 @@ Place place_of(const ObjectModel& model, const RigidPose& pose, const CameraMode
   return {static_cast<float>(camera.cx_px + camera.fx_px * centre[0] * near),
           static_cast<float>(camera.cy_px + camera.fy_px * centre[1] * near),
           static_cast<float>(model.radius * camera.fx_px * near)};
-}
-
-// Of two objects that both may be there, the one that explains many more regions comes first.
-float strength_of(const SceneAgreement& agreement) {
-  constexpr float kOfRegion = 0.015F;
-  constexpr std::size_t kFew = 5, kMany = 20;
-  return agreement.margin +
-         kOfRegion * static_cast<float>(std::clamp(agreement.explained.count(), kFew, kMany));
 }
 
 bool share_place(const Place& a, const Place& b, bool same_object) {
@@ -102,7 +94,7 @@ void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
     const SceneAgreement agreement = scene_agreement(
         scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px, 1, of_others_);
     drawn.margin = agreement.margin;
-    if (agreement.score >= kHopeful && agreement.margin >= kLeastMargin) keep(drawn);
+    if (agreement.score >= kHopeful) keep(drawn);
   }
 }
 
@@ -137,9 +129,9 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
     object.key_view = drawn.key_view;
     object.roll_rad = drawn.roll_rad;
     const RigidPose& from = is_drawn && best.agreement.margin >= 0 ? best.refined.pose : drawn.pose;
-    object.refined =
-        refine_pose(index.model, camera, seen_colours_, box_around(place), from, kRounds,
-                    std::max(kLeastReach_px, reach * place.radius_px), scratch_, Behind::anything);
+    object.refined = refine_pose(index.model, camera, seen_colours_, box_around(place), from,
+                                 kRounds, std::max(kLeastReach_px, reach * place.radius_px),
+                                 scratch_, Behind::anything, {kRoundCells});
     if (!scratch_.drawing.draw_alone(index.model, object.refined.pose, camera, scene.width_px,
                                      scene.height_px, kFinalCells))
       continue;
@@ -187,8 +179,7 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   }
   const auto found = std::span(found_).first(found_count_);
   std::sort(found.begin(), found.end(), [](const SceneObject& a, const SceneObject& b) {
-    const float of_a = strength_of(a.agreement), of_b = strength_of(b.agreement);
-    if (of_a != of_b) return of_a > of_b;
+    if (a.agreement.margin != b.agreement.margin) return a.agreement.margin > b.agreement.margin;
     if (a.index != b.index) return a.index < b.index;
     return a.key_view < b.key_view;
   });

@@ -49,15 +49,15 @@ class Picture {
   }
 
   // The box is convex: its faces that are turned to the camera hide none of each other.
-  void paint(const RigidPose& pose) {
+  void paint(const RigidPose& pose, const PaintedModel& box = painted()) {
     for (std::size_t f = 0; f < kBoxFaces.size(); ++f) {
       std::array<Point2d, 4> p;
       for (std::size_t k = 0; k < 4; ++k) {
-        const Vector3d q = pose(painted().vertices[kBoxFaces[f][k]]);
+        const Vector3d q = pose(box.vertices[kBoxFaces[f][k]]);
         p[k] = {kCamera.cx_px + kCamera.fx_px * q[0] / q[2],
                 kCamera.cy_px + kCamera.fy_px * q[1] / q[2]};
       }
-      if (!is_turned_away(pose, f)) paint(p, painted().paints[f]);
+      if (!is_turned_away(pose, f)) paint(p, box.paints[f]);
     }
   }
 
@@ -193,8 +193,9 @@ TEST_CASE("borders that are met tell for the object") {
   picture.paint(edge_pose());
   const Drawer drawer(edge_pose());
   CHECK(drawer.in(picture, 1).margin > 0);
-  CHECK(drawer.in(picture, 0.3F).margin < 0);
-  CHECK(drawer.in(picture, 0.3F).score == drawer.in(picture, 1).score);
+  CHECK(drawer.in(picture, 0.5F).margin < drawer.in(picture, 1).margin - 0.05F);
+  CHECK(drawer.in(picture, 0.2F).margin < 0);
+  CHECK(drawer.in(picture, 0.2F).score == drawer.in(picture, 1).score);
 }
 
 TEST_CASE("regions are explained by what shows most of them, and then no longer tell for others") {
@@ -254,6 +255,23 @@ TEST_CASE("what ends within the outline, or is as black as nothing, tells agains
     CHECK(agreement.score < 1 - hidden - 0.3F * hidden);
     CHECK(agreement.score > 1 - 2 * hidden - kRims);
   }
+}
+
+TEST_CASE("a face that must be black and shows a colour that ends there tells against the object") {
+  PaintedModel painted_black = painted();
+  painted_black.paints.back() = {0, 0, 0};
+  const RigidPose pose = corner_pose();
+  const ObjectModel black_face = prepared_model(painted_black, 3, 60);
+  const Drawer drawer(pose, black_face);
+  Picture coloured(kGrey), black(kGrey);
+  coloured.paint(pose);
+  black.paint(pose, painted_black);
+  const SceneAgreement with_colour = drawer.in(coloured), with_black = drawer.in(black);
+  CHECK(with_black.colours == 2);
+  REQUIRE((of_whole(pose, kGrey).colours == 3));
+  CHECK(with_black.score == Approx(1).margin(kRims));
+  CHECK(with_colour.score < with_black.score - 0.05F);
+  CHECK(with_colour.score > 0);
 }
 
 TEST_CASE("what goes on beyond the outline in the object's own colour tells against it") {
