@@ -70,8 +70,8 @@ struct RecogniserParameters {
 
   // Of a frame, from the call on; 0: as long as it takes. When it is over, what has been found is
   // the result, and what was left undone is said. Seeing, up to the regions' contours, is not cut
-  // short, and what is begun is ended: up to half a millisecond more on a workstation. With a limit
-  // the search before any background takes up to 20 KiB of memory more for each index.
+  // short, and what is begun is ended: up to a millisecond more on a workstation. With a limit the
+  // search before any background takes 15 KiB more for each index.
   std::chrono::nanoseconds time_limit{};
   // By this clock, which must not go back: another one for tests.
   Deadline::Clock clock = std::chrono::steady_clock::now;

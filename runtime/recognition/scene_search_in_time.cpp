@@ -2,9 +2,10 @@
 // indexes wait together, those that explain most before others; one whose drawing shows an object
 // is refined at once, and starts in the place of what turns out to be there come last. What is
 // drawn and refined then goes the way that it goes without a limit, so that the result is the same
-// where all has been done. Of 60 frames of clutter, cut short at every 17th step, the matches of
-// 608 are all among those without a limit, 24 of them in another pose. Counting only what nothing
-// that is left could replace makes that 6, and loses a fifth of the matches.
+// where all has been done. Weak where it has not: of 60 frames of clutter, each cut short at every
+// 17th step, 608 matches were all of objects that are found without a limit, but 24 in another
+// pose. Counting only what nothing that is left could replace makes that 6, and loses a fifth of
+// the matches.
 #include <algorithm>
 
 #include "runtime/recognition/scene_search.h"
