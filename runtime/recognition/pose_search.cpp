@@ -97,7 +97,7 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
   std::size_t count = 0;
   std::sort(list.begin(), list.end(), better);
   for (Hypothesis& hypothesis : list) {
-    if (count == starts.size()) break;
+    if (count == starts.size() || blob.deadline.is_over()) break;
     const ClassIndex& index = indexes_[hypothesis.index];
     if (index.model.empty() || !(hypothesis.score > 0)) continue;
     Start start{&hypothesis, finder_.start(index, hypothesis.start, blob.cameras[hypothesis.index],
@@ -123,7 +123,9 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
   double least = 1;
   for (const Start& start : std::span(starts).first(most)) {
     const bool explained = found > 0 && least_unexplained(poses.first(found)) < kExplained;
-    if (start.agreement < (explained ? kRival : kHopeful) * starts[0].agreement) break;
+    if (start.agreement < (explained ? kRival : kHopeful) * starts[0].agreement ||
+        blob.deadline.is_over())
+      break;
     VerifiedPose& pose = poses[found];
     pose = verify(*start.hypothesis, start.pose, blob, kRounds);
     pose.refined.pose = canonical_pose(pose.refined.pose, indexes_[start.hypothesis->index]);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "runtime/base/arena.h"
+#include "runtime/base/deadline.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/hypothesis.h"
 #include "runtime/recognition/pose_finder.h"
@@ -18,6 +19,7 @@ struct SeenBlob {
   const RegionMap* regions = nullptr;
   std::size_t place = 0;  // of the blob in regions
   std::span<const CameraModel> cameras;
+  Deadline deadline{};  // when it is over, no further pose is tried
 };
 
 class PoseSearch {

@@ -109,7 +109,7 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   cameras_ = arena.take<CameraModel>(indexes.size());
   view_search_.prepare(indexes);
   pose_search_.prepare(arena, indexes);
-  if (looks_anywhere()) scene_search_.prepare(arena, indexes);
+  if (looks_anywhere()) scene_search_.prepare(arena, indexes, has_limit());
   if (tracks()) tracker_.prepare(arena, indexes, parameters_.tracking);
 }
 
@@ -117,14 +117,17 @@ Recognition Recogniser::recognise(const Frame& frame, int steps) noexcept {
   const auto start = std::chrono::steady_clock::now();
   hypothesis_count_ = match_count_ = pose_count_ = 0;
   pose_time_ = {};
+  left_undone_ = {};
+  if (has_limit()) deadline_ = {parameters_.clock() + parameters_.time_limit, parameters_.clock};
   for (std::size_t i = 0; i < indexes_.size(); ++i)
     cameras_[i] = camera_of(parameters_, indexes_[i], frame);
   std::optional<Recognition> followed;
   if (tracks()) {
-    tracker_.begin({cameras_, frame.width_px, frame.height_px, std::max(1, steps)});
+    tracker_.begin({cameras_, frame.width_px, frame.height_px, std::max(1, steps), deadline_});
     followed = follow(frame);
   }
   Recognition recognition = followed ? *followed : recognise_all(frame);
+  recognition.left_undone = left_undone_;
   recognition.elapsed = std::chrono::steady_clock::now() - start;
   return recognition;
 }
@@ -134,11 +137,12 @@ Recognition Recogniser::recognise_all(const Frame& frame) {
   Recognition recognition;
   recognition.graph = vision_.run(frame, parameters_.vision);
   const auto seen = Clock::now();
+  if (tracks()) begin_track_search(frame);
   std::size_t objects = 0;
   for (; objects < recognition.graph.blobs.size(); ++objects)
     objects_[objects] = recognise_blob(frame, recognition.graph, objects);
   if (looks_anywhere()) objects = search_scene(frame, recognition.graph.contours, objects);
-  if (tracks()) objects = join_tracks(frame, objects);
+  if (tracks()) objects = join_tracks(objects);
   recognition.objects = objects_.first(objects);
   const auto end = Clock::now();
   const VisionTimes& times = vision_.times();
@@ -173,9 +177,13 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   const auto seen = std::span<const ContourFeature>(features).first(count);
   if (looks_anywhere() && fills_frame(blob.box, frame))
     return {blob.box, static_cast<int>(count), {Verdict::unknown}, {}, blob_place};
+  if (deadline_.is_over()) {
+    ++left_undone_.objects;
+    return {blob.box, static_cast<int>(count), {Verdict::unknown}, {}, blob_place};
+  }
   std::size_t candidates = shortlist(seen);
   if (parameters_.ranking == RecogniserParameters::Ranking::views) {
-    candidates = view_search_.run(seen, candidates_, candidates);
+    candidates = view_search_.run(seen, candidates_, candidates, deadline_);
     // A model has colours, which other sensors do not see.
     if (parameters_.poses && parameters_.vision.sensor == SensorKind::colour)
       find_poses(candidates, blob_place);
@@ -201,6 +209,11 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   if (object.judgement.verdict == Verdict::match && looks_anywhere() &&
       says_little(blob, count, graph.blobs.front(), frame))
     object.judgement.verdict = Verdict::unknown;
+  // Something that it was not held against may explain it as well, or better.
+  if (deadline_.is_over()) {
+    ++left_undone_.objects;
+    object.judgement.verdict = Verdict::unknown;
+  }
   return object;
 }
 
@@ -212,6 +225,7 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
     const ClassIndex& index = indexes_[i];
     class_matcher_.set_contours(index, features);
     for (std::size_t c = 0; c < index.classes.size(); ++c) {
+      if (deadline_.is_over()) return count;
       if (class_matcher_.most_matched(i, c) + parameters_.shortlist_slack < most) continue;
       const ClassMatch match = class_matcher_.match(index, c, parameters_.matching);
       const int matched = match.assignment.matched;
@@ -242,7 +256,7 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
 
 void Recogniser::find_poses(std::size_t candidates, std::size_t blob) {
   const auto start = std::chrono::steady_clock::now();
-  const SeenBlob seen{&vision_.colours(), &vision_.regions(), blob, cameras_};
+  const SeenBlob seen{&vision_.colours(), &vision_.regions(), blob, cameras_, deadline_};
   pose_count_ += pose_search_.run(candidates_.first(candidates), seen, poses_.subspan(pose_count_));
   pose_time_ += std::chrono::steady_clock::now() - start;
 }
@@ -288,8 +302,8 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::span<const Contour
     return objects;
   const auto start = std::chrono::steady_clock::now();
   const SeenScene scene{
-      &vision_.colours(), &vision_.regions(), contours,       std::span(taken_).first(objects),
-      cameras_,           frame.width_px,     frame.height_px};
+      &vision_.colours(), &vision_.regions(), contours,        std::span(taken_).first(objects),
+      cameras_,           frame.width_px,     frame.height_px, deadline_};
   std::size_t end = objects;
   for (const SceneObject& found : scene_search_.run(scene)) {
     const std::size_t blob = blob_around(found.agreement.box, vision_.regions());
@@ -300,6 +314,8 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::span<const Contour
       continue;
     end = add_found(found, blob, end);
   }
+  left_undone_.indexes = scene_search_.left_undone().indexes;
+  left_undone_.starts = scene_search_.left_undone().starts;
   const std::size_t kept = join_found(objects, end);
   pose_time_ += std::chrono::steady_clock::now() - start;
   return kept;

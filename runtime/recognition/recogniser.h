@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "runtime/base/arena.h"
+#include "runtime/base/deadline.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/class_match.h"
 #include "runtime/recognition/hypothesis.h"
+#include "runtime/recognition/left_undone.h"
 #include "runtime/recognition/pose_search.h"
 #include "runtime/recognition/scene_search.h"
 #include "runtime/recognition/tracker.h"
@@ -65,6 +67,14 @@ struct RecogniserParameters {
 
   // From frame to frame; needs poses.
   TrackingParameters tracking;
+
+  // Of a frame, from the call on; 0: as long as it takes. When it is over, what has been found is
+  // the result, and what was left undone is said. Seeing, up to the regions' contours, is not cut
+  // short, and what is begun is ended: up to a millisecond more on a workstation. With a limit the
+  // search before any background takes 15 KiB more for each index.
+  std::chrono::nanoseconds time_limit{};
+  // By this clock, which must not go back: another one for tests.
+  Deadline::Clock clock = std::chrono::steady_clock::now;
 };
 
 struct SeenObject {
@@ -87,6 +97,7 @@ struct Recognition {
   std::span<const SeenObject> objects;
   StageTimes stages;
   std::chrono::nanoseconds elapsed{};
+  LeftUndone left_undone;
 };
 
 inline constexpr int kMaxHypotheses = 64;
@@ -111,8 +122,10 @@ class Recogniser {
  private:
   Recognition recognise_all(const Frame& frame);
   bool tracks() const;
+  bool has_limit() const { return parameters_.time_limit.count() > 0; }
   std::optional<Recognition> follow(const Frame& frame);
-  std::size_t join_tracks(const Frame& frame, std::size_t objects);
+  void begin_track_search(const Frame& frame);
+  std::size_t join_tracks(std::size_t objects);
   std::size_t add_tracks(std::size_t objects);
   SeenObject seen_track(const Track& track);
   std::size_t blob_at(const Box& box) const;
@@ -145,6 +158,8 @@ class Recogniser {
   std::span<VerifiedPose> poses_;
   std::size_t pose_count_ = 0;
   std::chrono::nanoseconds pose_time_{};
+  Deadline deadline_;  // of this frame
+  LeftUndone left_undone_;
 };
 
 }  // namespace aspect

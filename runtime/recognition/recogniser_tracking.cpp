@@ -29,6 +29,10 @@ std::optional<Recognition> Recogniser::follow(const Frame& frame) {
   VisionParameters vision = parameters_.vision;
   const Box allowed = part_looked_at(frame, vision);
   for (std::size_t k = 0; k < tracker_.boxes().size(); ++k) {
+    if (deadline_.is_over()) {
+      tracker_.leave(k);
+      continue;
+    }
     vision.region_of_interest = common(tracker_.boxes()[k], allowed);
     if (vision.region_of_interest.empty() || !vision_.look(frame, vision)) continue;
     recognition.stages.convert += vision_.times().convert;
@@ -38,16 +42,27 @@ std::optional<Recognition> Recogniser::follow(const Frame& frame) {
     recognition.stages.pose += std::chrono::steady_clock::now() - start;
   }
   tracker_.finish();
-  if (tracker_.is_search_due()) return std::nullopt;
+  if (tracker_.is_search_due()) {
+    if (!deadline_.is_over()) return std::nullopt;
+    left_undone_.searches = 1;
+  }
+  left_undone_.tracks = tracker_.left_count();
   recognition.objects = objects_.first(add_tracks(0));
   return recognition;
 }
 
-// What a search has found gets its number; where a track knows better where it is, the track's word
-// counts, and what was seen in its place is left out.
-std::size_t Recogniser::join_tracks(const Frame& frame, std::size_t objects) {
+// Before the search, which may take all the time that there is.
+void Recogniser::begin_track_search(const Frame& frame) {
   const auto start = std::chrono::steady_clock::now();
   tracker_.begin_search(vision_.colours(), part_looked_at(frame, parameters_.vision));
+  left_undone_.tracks = tracker_.left_count();
+  pose_time_ += std::chrono::steady_clock::now() - start;
+}
+
+// What a search has found gets its number; where a track knows better where it is, the track's word
+// counts, and what was seen in its place is left out.
+std::size_t Recogniser::join_tracks(std::size_t objects) {
+  const auto start = std::chrono::steady_clock::now();
   const auto is_left_out = [&](SeenObject& object) {
     if (object.judgement.verdict != Verdict::match || object.hypotheses.front().pose == nullptr)
       return false;

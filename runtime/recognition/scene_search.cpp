@@ -8,11 +8,8 @@
 namespace aspect {
 namespace {
 
-constexpr int kStartCells = 20, kFinalCells = 40, kRoundCells = 64, kRounds = 7, kCorrections = 2;
+constexpr int kStartCells = 20, kFinalCells = 40, kRoundCells = 64, kRounds = 7;
 constexpr std::size_t kMostInPlace = 5;
-constexpr float kSureMargin = 0.46F;
-// A start that explains less of its key view is not drawn.
-constexpr float kWorth = 0.25F;
 // A drawing that shows less than this of what it should is not worth refining.
 constexpr float kHopeful = 0.35F;
 constexpr float kPlaceShare = 0.4F, kSameObjectShare = 0.7F;
@@ -46,7 +43,7 @@ Box box_around(const Place& place) {
 
 }  // namespace
 
-void SceneSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
+void SceneSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes, bool in_time) {
   indexes_ = indexes;
   finder_.prepare(arena, indexes);
   starts_.prepare(arena, indexes);
@@ -54,6 +51,10 @@ void SceneSearch::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
   for (const ClassIndex& index : indexes)
     vertices = std::max(vertices, index.model.vertices.size());
   scratch_.drawing.prepare(arena, vertices);
+  if (!in_time) return;
+  waiting_ = arena.take<Waiting>(SceneStarts::kMostStarts * indexes.size());
+  waiting_order_ = arena.take<std::uint32_t>(SceneStarts::kMostStarts * indexes.size());
+  early_ = arena.take<SceneObject>(kMostObjects);
 }
 
 // Among the best of all indexes.
@@ -68,34 +69,58 @@ void SceneSearch::keep(const Drawn& drawn) {
   if (drawn.margin > worst.margin) worst = drawn;
 }
 
-void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
+// The pose that a start says.
+SceneSearch::Drawn SceneSearch::laid(const SeenScene& scene, std::size_t index_place,
+                                     const SceneStart& start, int corrections) {
   const ClassIndex& index = indexes_[index_place];
-  const CameraModel& camera = scene.cameras[index_place];
-  seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
+  const KeyView& view = index.key_views[start.key_view];
+  Blob blob;
+  blob.centre_px = start.centre_px;
+  blob.area_px = start.scale_px * start.scale_px;
+  const int side = static_cast<int>(2 * start.scale_px);
+  blob.box = {static_cast<int>(start.centre_px.x) - side / 2,
+              static_cast<int>(start.centre_px.y) - side / 2, side, side};
+  Drawn drawn;
+  drawn.roll_rad = static_cast<float>(
+      portable_atan2(static_cast<double>(start.sin), static_cast<double>(start.cos)));
+  drawn.index = static_cast<std::uint16_t>(index_place);
+  drawn.key_view = start.key_view;
+  drawn.pose = finder_.start(index, {view.direction, view.direction, drawn.roll_rad, {}},
+                             scene.cameras[index_place], blob, corrections);
+  return drawn;
+}
+
+// False: it is not worth refining.
+bool SceneSearch::draw(const SeenScene& scene, Drawn& drawn) {
+  const CameraModel& camera = scene.cameras[drawn.index];
+  if (!scratch_.drawing.draw_alone(indexes_[drawn.index].model, drawn.pose, camera, scene.width_px,
+                                   scene.height_px, kStartCells))
+    return false;
+  const SceneAgreement agreement = scene_agreement(scratch_.drawing, camera, seen_colours_,
+                                                   scene.width_px, scene.height_px, 1, of_others_);
+  drawn.margin = agreement.margin;
+  return agreement.score >= kHopeful;
+}
+
+void SceneSearch::look_for(const SeenScene& scene, std::size_t index_place) {
+  seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs,
+                     indexes_[index_place].model, {});
+}
+
+void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
+  look_for(scene, index_place);
   for (const SceneStart& start : starts_.run(scene, index_place)) {
     if (start.explained < kWorth) continue;
-    const KeyView& view = index.key_views[start.key_view];
-    Blob blob;
-    blob.centre_px = start.centre_px;
-    blob.area_px = start.scale_px * start.scale_px;
-    const int side = static_cast<int>(2 * start.scale_px);
-    blob.box = {static_cast<int>(start.centre_px.x) - side / 2,
-                static_cast<int>(start.centre_px.y) - side / 2, side, side};
-    Drawn drawn;
-    drawn.roll_rad = static_cast<float>(
-        portable_atan2(static_cast<double>(start.sin), static_cast<double>(start.cos)));
-    drawn.index = static_cast<std::uint16_t>(index_place);
-    drawn.key_view = start.key_view;
-    drawn.pose = finder_.start(index, {view.direction, view.direction, drawn.roll_rad, {}}, camera,
-                               blob, kCorrections);
-    if (!scratch_.drawing.draw_alone(index.model, drawn.pose, camera, scene.width_px,
-                                     scene.height_px, kStartCells))
-      continue;
-    const SceneAgreement agreement = scene_agreement(
-        scratch_.drawing, camera, seen_colours_, scene.width_px, scene.height_px, 1, of_others_);
-    drawn.margin = agreement.margin;
-    if (agreement.score >= kHopeful) keep(drawn);
+    Drawn drawn = laid(scene, index_place, start, kCorrections);
+    if (draw(scene, drawn)) keep(drawn);
   }
+}
+
+bool SceneSearch::is_in_place_of(const SeenScene& scene, const SceneObject& object,
+                                 const Drawn& drawn) const {
+  return share_place(
+      place_of(indexes_[object.index].model, object.refined.pose, scene.cameras[object.index]),
+      place_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]), false);
 }
 
 // By an object that is there beyond doubt, or by several that were tried.
@@ -162,10 +187,13 @@ bool SceneSearch::score_again(const SeenScene& scene, SceneObject& object) {
 std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   drawn_count_ = found_count_ = 0;
   of_others_.reset();
-  starts_.see(scene);
-  for (std::size_t i = 0; i < indexes_.size(); ++i) {
-    if (indexes_[i].model.empty()) continue;
-    draw_starts(scene, i);
+  left_undone_ = {};
+  if (scene.deadline.is_set()) {
+    draw_in_time(scene);
+  } else {
+    starts_.see(scene);
+    for (std::size_t i = 0; i < indexes_.size(); ++i)
+      if (!indexes_[i].model.empty()) draw_starts(scene, i);
   }
   const auto drawn = std::span(drawn_).first(drawn_count_);
   std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
@@ -173,10 +201,11 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
     if (a.index != b.index) return a.index < b.index;
     return a.key_view < b.key_view;
   });
-  for (const Drawn& d : drawn) {
+  for (Drawn& d : drawn) {
     if (found_count_ == kMostObjects) break;
-    if (!is_taken(scene, d)) refine(scene, d);
+    if (!is_taken(scene, d)) refine_in_time(scene, d);
   }
+  if (left_undone_.any()) drop_unsettled(scene);
   const auto found = std::span(found_).first(found_count_);
   std::sort(found.begin(), found.end(), [](const SceneObject& a, const SceneObject& b) {
     if (a.agreement.margin != b.agreement.margin) return a.agreement.margin > b.agreement.margin;

@@ -236,10 +236,12 @@ void SceneStarts::pair_up(const SeenScene& scene, std::size_t index_place) {
                                   std::max<std::size_t>(1, indexes_[index_place].key_views.size()),
                               kLeastOfPairs, kMostOfPairs);
   const auto regions = std::span<const SeenRegion>(seen_regions_).first(region_count_);
-  for (const SeenRegion& region : regions)
+  for (const SeenRegion& region : regions) {
+    if (scene.deadline.is_over()) return;
     for (std::uint64_t c = region.colours; c != 0; c &= c - 1)
       try_alone(scene, index_place, region, static_cast<ColourClass>(std::countr_zero(c) + 1));
-  for (std::size_t i = 0; i < regions.size(); ++i)
+  }
+  for (std::size_t i = 0; i < regions.size() && !scene.deadline.is_over(); ++i)
     for (std::size_t j = 0; j < regions.size(); ++j) {
       const SeenRegion &first = regions[i], &second = regions[j];
       const float dx = second.centre_px.x - first.centre_px.x,

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "runtime/base/arena.h"
+#include "runtime/base/deadline.h"
 #include "runtime/recognition/camera_model.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/region_pairs.h"
@@ -25,6 +26,7 @@ struct SeenScene {
   std::span<const bool> taken;           // by blob
   std::span<const CameraModel> cameras;  // by index
   int width_px = 0, height_px = 0;
+  Deadline deadline{};
 };
 
 // A key view laid over the frame: a unit of its blob is `scale_px` long.
@@ -43,23 +45,27 @@ struct SceneStart {
 
 class SceneStarts {
  public:
+  static constexpr std::size_t kMostStarts = 108;  // of an index
+
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
   // Once a frame, before run().
   void see(const SeenScene& scene);
 
   // The best for the objects of one index; valid until the next run. O(pairs of regions near each
-  // other and of a colour of the model, times pairs of contours of about their sizes).
+  // other and of a colour of the model, times pairs of contours of about their sizes). Those found
+  // by then where the deadline is over.
   std::span<const SceneStart> run(const SeenScene& scene, std::size_t index_place);
 
  private:
-  static constexpr std::size_t kMostRegions = 224, kMostOfPairs = 96, kMostAlone = 12;
+  static constexpr std::size_t kMostRegions = 224, kMostAlone = 12;
+  static constexpr std::size_t kMostOfPairs = kMostStarts - kMostAlone;
 
   struct SeenRegion : RegionPart {
     std::uint64_t colours = 0;  // of the model that it may be, one bit each
   };
   struct List {
-    std::array<SceneStart, kMostOfPairs + kMostAlone> starts{};
+    std::array<SceneStart, kMostStarts> starts{};
     std::size_t count = 0, most = kMostOfPairs;
   };
 

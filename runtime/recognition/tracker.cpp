@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/base/portable_math.h"
 #include "runtime/recognition/alike_poses.h"
@@ -75,6 +76,10 @@ int area(const Box& box) {
   return box.width * box.height;
 }
 
+bool holds(const Box& box, const Box& part) {
+  return area(joined(box, part)) == area(box);
+}
+
 }  // namespace
 
 void Tracker::prepare(Arena& arena, std::span<const ClassIndex> indexes,
@@ -102,6 +107,7 @@ void Tracker::begin(const TrackedFrame& frame) {
   for (Track& track : std::span(tracks_).first(track_count_)) {
     track.lost_frames += frame.steps;
     track.is_followed = track.is_claimed = track.is_tried = false;
+    track.was_left = std::exchange(track.is_left, false);
     predict(track);
     place_box(track);
   }
@@ -177,13 +183,21 @@ void Tracker::join_boxes() {
       // What did not fit before may do now.
       j = i + 1;
     }
+  std::partition(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(box_count_),
+                 [&](const Box& box) {
+                   return std::any_of(tracks.begin(), tracks.end(), [&](const Track& track) {
+                     return track.was_left && !track.box.empty() && holds(box, track.box);
+                   });
+                 });
   for (Track& track : tracks) {
-    const auto holds = [&](const Box& box) { return area(joined(box, track.box)) == area(box); };
     const auto boxes = std::span(boxes_).first(box_count_);
     track.box_place = track.box.empty()
                           ? kMostTracks
-                          : static_cast<std::size_t>(
-                                std::find_if(boxes.begin(), boxes.end(), holds) - boxes.begin());
+                          : static_cast<std::size_t>(std::find_if(boxes.begin(), boxes.end(),
+                                                                  [&](const Box& box) {
+                                                                    return holds(box, track.box);
+                                                                  }) -
+                                                     boxes.begin());
   }
 }
 
@@ -257,10 +271,13 @@ bool Tracker::follow(Track& track) {
     if (sight.is_good && (!best.is_good || sight.agreement.score > best.agreement.score))
       best = sight;
   };
-  if (!is_usual() && track.is_moving)
+  if (!is_usual() && track.is_moving && !frame_.deadline.is_over())
     try_sight(sight_from(track, track.refined.pose, track.reach_px));
-  if (!is_usual()) try_sight(sight_of_aspects(track));
-  if (!best.is_good) return false;
+  if (!is_usual() && !frame_.deadline.is_over()) try_sight(sight_of_aspects(track));
+  if (!best.is_good) {
+    track.is_left = frame_.deadline.is_over();
+    return false;
+  }
   see(track, best);
   return true;
 }
@@ -310,11 +327,33 @@ Tracker::Sight Tracker::sight_of_aspects(const Track& track) {
 void Tracker::follow(const Planes& colours, const Box& known, std::size_t box_place) {
   colours_ = &colours;
   known_ = known;
-  for (Track& track : std::span(tracks_).first(track_count_)) {
-    if (track.box_place != box_place) continue;
-    look(track);
-    follow(track);
-  }
+  follow_in_turn(box_place);
+}
+
+// Those of a box, or of all, that are not tried yet; those first that no time was left for before.
+void Tracker::follow_in_turn(std::optional<std::size_t> box_place) {
+  for (const bool first : {true, false})
+    for (Track& track : std::span(tracks_).first(track_count_)) {
+      if (track.is_tried || track.box.empty() || track.was_left != first ||
+          track.box_place != box_place.value_or(track.box_place))
+        continue;
+      if (frame_.deadline.is_over()) {
+        track.is_left = true;
+        continue;
+      }
+      look(track);
+      follow(track);
+    }
+}
+
+void Tracker::leave(std::size_t box_place) {
+  for (Track& track : std::span(tracks_).first(track_count_))
+    if (track.box_place == box_place) track.is_left = true;
+}
+
+int Tracker::left_count() const {
+  return static_cast<int>(std::count_if(tracks().begin(), tracks().end(),
+                                        [](const Track& track) { return track.is_left; }));
 }
 
 // Two of one object in one pose: one of them follows the other's.
@@ -345,12 +384,17 @@ void Tracker::part_doubles() {
 
 void Tracker::finish() {
   part_doubles();
-  for (const Track& track : tracks())
-    has_just_lost_ = has_just_lost_ || (!track.is_followed && track.lost_frames <= frame_.steps);
+  const auto is_just_lost = [&](const Track& track) {
+    return !track.is_followed && !track.is_left &&
+           (track.lost_frames <= frame_.steps || track.was_left);
+  };
+  has_just_lost_ = has_just_lost_ || std::any_of(tracks().begin(), tracks().end(), is_just_lost);
 }
 
 bool Tracker::is_search_due() const {
-  const auto is_lost = [&](const Track& track) { return track.lost_frames > frame_.steps; };
+  const auto is_lost = [&](const Track& track) {
+    return track.lost_frames > frame_.steps && !track.was_left;
+  };
   const bool any_lost = std::any_of(tracks().begin(), tracks().end(), is_lost);
   return !has_searched_ || since_search_ >= parameters_.search_every || has_just_lost_ ||
          (any_lost && since_search_ >= kLostEvery);

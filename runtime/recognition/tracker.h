@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "runtime/base/arena.h"
+#include "runtime/base/deadline.h"
 #include "runtime/recognition/camera_model.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/pose_refinement.h"
@@ -30,6 +32,7 @@ struct TrackedFrame {
   std::span<const CameraModel> cameras;  // by index
   int width_px = 0, height_px = 0;
   int steps = 1;  // since the frame before: 2 where one between them was not seen
+  Deadline deadline{};
 };
 
 struct Track {
@@ -47,6 +50,8 @@ struct Track {
   float usual_score = 0;     // that its agreement had lately
   bool is_followed = false;  // seen in this frame where it was looked for
   bool is_claimed = false;   // and recognised there
+  bool is_left = false;      // no time was left to look for it
+  bool was_left = false;     // in the frame before
 
   // From frame to frame: about and of its centre, in the camera's frame.
   Rotation turn;
@@ -88,6 +93,9 @@ class Tracker {
 
   // Looks for the objects whose box this is.
   void follow(const Planes& colours, const Box& known, std::size_t box_place);
+  // There is no time to: they are not lost for that, and come first in the next frame.
+  void leave(std::size_t box_place);
+  int left_count() const;
 
   // After the last box: which ones are lost.
   void finish();
@@ -123,6 +131,7 @@ class Tracker {
   void join_boxes();
   void look(const Track& track);
   Sight sight_from(const Track& track, const RigidPose& start, float reach_px);
+  void follow_in_turn(std::optional<std::size_t> box_place);
   bool follow(Track& track);
   Sight sight_of_aspects(const Track& track);
   void see(Track& track, const Sight& sight);

@@ -21,17 +21,13 @@ void Tracker::begin_search(const Planes& colours, const Box& known) {
   known_ = known;
   since_search_ = 0;
   has_searched_ = true;
-  for (Track& track : std::span(tracks_).first(track_count_)) {
-    if (track.is_tried || track.box.empty()) continue;
-    look(track);
-    follow(track);
-  }
+  follow_in_turn(std::nullopt);
   part_doubles();
 }
 
 void Tracker::finish_search() {
   const auto is_nothing = [](const Track& track) {
-    return track.seen_frames < Track::kKnown && !track.is_claimed &&
+    return track.seen_frames < Track::kKnown && !track.is_claimed && !track.is_left &&
            !(track.is_followed && track.agreement.margin >= 0);
   };
   const auto tracks = std::span(tracks_).first(track_count_);
@@ -88,7 +84,7 @@ Tracker::Claimed Tracker::claim(const RecognisedObject& object) {
     const RigidPose pose =
         alike_pose_nearest(object.refined.pose, track->refined.pose.rotation, index);
     const double turn_rad = angle_between_rad(pose.rotation, track->refined.pose.rotation);
-    if (turn_rad > kSamePose_rad) {
+    if (turn_rad > kSamePose_rad && !frame_.deadline.is_over()) {
       look(*track);
       const Sight sight = sight_from(*track, pose, kNear_px);
       // No object turns so far from one frame to the next unless it was seen wrongly before.

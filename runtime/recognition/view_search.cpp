@@ -118,13 +118,17 @@ void ViewSearch::raise_neighbours(std::span<Hypothesis> list) const {
 }
 
 std::size_t ViewSearch::run(std::span<const ContourFeature> seen, std::span<Hypothesis> room,
-                            std::size_t count) {
+                            std::size_t count, const Deadline& deadline) {
   fitter_.set_contours(seen);
   // What fits well early spares others most of their views.
   std::sort(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(count), better);
   float least_cost = std::numeric_limits<float>::infinity();
   std::size_t end = count;
   for (Hypothesis& hypothesis : room.first(count)) {
+    if (deadline.is_over()) {
+      hypothesis.score = 0;
+      continue;
+    }
     const ClassIndex& index = indexes_[hypothesis.index];
     const Best best = fit_class(index, index.classes[hypothesis.class_id], least_cost);
     if (best.view == nullptr) {

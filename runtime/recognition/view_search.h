@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "runtime/base/deadline.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/hypothesis.h"
 #include "runtime/recognition/view_fit.h"
@@ -18,9 +19,10 @@ class ViewSearch {
 
   // Scores each of the first `count` hypotheses of `room` by its class's best key view; behind
   // them, as far as there is room, come second views of the same classes, seen from elsewhere, that
-  // fit about as well. Returns how many there are then.
+  // fit about as well. Returns how many there are then. What the deadline leaves no time for has
+  // score 0.
   std::size_t run(std::span<const ContourFeature> seen, std::span<Hypothesis> room,
-                  std::size_t count);
+                  std::size_t count, const Deadline& deadline = {});
 
  private:
   static constexpr std::size_t kMostFitted = 512;  // key views of a class

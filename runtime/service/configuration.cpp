@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -102,6 +103,7 @@ std::optional<Error> read_recognition(const toml::table& table, const std::strin
   reader.read("anywhere", overrides.anywhere);
   reader.read("track", overrides.track);
   reader.read("search_every", {1, kMostSearchEvery}, overrides.search_every);
+  reader.read("time_limit_ms", {kLeastTimeLimit_ms, kMostTimeLimit_ms}, overrides.time_limit_ms);
   if (matching) overrides.matching = *matching == 0 ? Matching::simple : Matching::weighted;
   if (ranking) overrides.ranking = *ranking == 0 ? Ranking::views : Ranking::classes;
   return reader.finish();
@@ -177,6 +179,9 @@ void RecognitionOverrides::apply(RecogniserParameters& parameters) const {
   replace(parameters.anywhere, anywhere);
   replace(parameters.tracking.on, track);
   replace(parameters.tracking.search_every, search_every);
+  if (time_limit_ms)
+    parameters.time_limit = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double, std::milli>(*time_limit_ms));
 }
 
 void Configuration::apply(RecogniserParameters& parameters) const {

@@ -34,6 +34,8 @@ struct SegmentationOverrides {
   void apply(VisionParameters& parameters) const;
 };
 
+inline constexpr double kLeastTimeLimit_ms = 0.001, kMostTimeLimit_ms = 60'000;
+
 // What a [recognition] table says; the meanings are those of RecogniserParameters.
 struct RecognitionOverrides {
   std::optional<Matching> matching;
@@ -43,6 +45,7 @@ struct RecognitionOverrides {
   std::optional<double> confidence_min;
   std::optional<bool> anywhere, track;
   std::optional<int> search_every;
+  std::optional<double> time_limit_ms;
 
   void apply(RecogniserParameters& parameters) const;
 };

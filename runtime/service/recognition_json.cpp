@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "runtime/service/json_text.h"
 
@@ -146,6 +147,18 @@ void put_object(JsonText& json, const SeenObject& object, std::size_t hypotheses
   json.end_object();
 }
 
+void put_left_undone(JsonText& json, const LeftUndone& left) {
+  if (!left.any()) return;
+  json.key("left_undone");
+  json.begin_object();
+  for (const auto& [key, count] :
+       {std::pair{"objects", left.objects}, std::pair{"indexes", left.indexes},
+        std::pair{"starts", left.starts}, std::pair{"tracks", left.tracks},
+        std::pair{"searches", left.searches}})
+    if (count > 0) put(json, key, std::int64_t{count});
+  json.end_object();
+}
+
 // Length of the line, 0 where it does not fit.
 std::size_t write_cut(const FrameLabel& frame, const Recognition& recognition,
                       std::span<const ClassIndex> indexes,
@@ -175,6 +188,7 @@ std::size_t write_cut(const FrameLabel& frame, const Recognition& recognition,
   const std::size_t objects_cut = recognition.objects.size() - cut.objects;
   if (written < all) put(json, "hypotheses_cut", static_cast<std::int64_t>(all - written));
   if (objects_cut > 0) put(json, "objects_cut", static_cast<std::int64_t>(objects_cut));
+  put_left_undone(json, recognition.left_undone);
   json.end_object();
   json.end_line();
   return json.fits() ? json.size() : 0;

@@ -30,8 +30,9 @@ struct FrameLabel {
 // Writes the line, its end included, and returns its length. A line that is longer than `out` is
 // cut to the best hypotheses of every object, at last to the largest objects; the keys
 // "hypotheses_cut" and "objects_cut" then count what is missing. 0: not even a line without objects
-// fits. `explanations`, JSON values, are the objects' in their order, where there are any.
-// `indexes` are those of the recogniser. Allocates nothing; O(log(objects + top)) lines.
+// fits. Key "left_undone" only where there is something. `explanations`, JSON values, are the
+// objects' in their order, where there are any. `indexes` are those of the recogniser. Allocates
+// nothing; O(log(objects + top)) lines.
 std::size_t write_recognition_json(const FrameLabel& frame, const Recognition& recognition,
                                    std::span<const ClassIndex> indexes, std::span<char> out,
                                    std::span<const std::string> explanations = {}) noexcept;

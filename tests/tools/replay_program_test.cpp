@@ -104,7 +104,11 @@ TEST_CASE("Wrong usage is told in one line") {
         "--index flag.aspect --matching best frames", "--index flag.aspect --ranking best frames",
         "--index flag.aspect --pace 0 frames", "--index flag.aspect --pace nan frames",
         "--self-test", "--index flag.aspect --self-test frames",
-        "--index flag.aspect --bogus frames", "--index flag.aspect --search-every 0 frames"}) {
+        "--index flag.aspect --bogus frames", "--index flag.aspect --search-every 0 frames",
+        "--index flag.aspect --time-limit-ms 0 frames",
+        "--index flag.aspect --time-limit-ms -1 frames",
+        "--index flag.aspect --time-limit-ms nan frames",
+        "--index flag.aspect --time-limit-ms soon frames"}) {
     const Outcome outcome = replay.run(arguments);
     INFO(arguments);
     CHECK(outcome.exit_code == 2);
@@ -114,13 +118,33 @@ TEST_CASE("Wrong usage is told in one line") {
   }
 }
 
+TEST_CASE("Within a time limit each frame has its line, which tells what was left undone") {
+  const Replay replay;
+  replay.folder().write("limited.toml", "[recognition]\ntime_limit_ms = 0.001\n");
+  for (const char* arguments : {"--time-limit-ms 0.001", "--config limited.toml",
+                                "--config limited.toml --time-limit-ms 50000", ""}) {
+    const Outcome outcome =
+        replay.run(std::string("--index flag.aspect ") + arguments + " frames/0.png");
+    INFO(arguments);
+    CHECK(outcome.exit_code == 0);
+    const auto lines = json_lines(outcome.out);
+    REQUIRE(lines.size() == 1);
+    const bool is_cut =
+        std::string(arguments).ends_with(".001") || std::string(arguments).ends_with(".toml");
+    CHECK(lines[0].contains("left_undone") == is_cut);
+    REQUIRE(lines[0]["objects"].size() == 1);
+    CHECK(lines[0]["objects"][0]["hypotheses"].empty() == is_cut);
+    if (is_cut) CHECK(lines[0]["left_undone"]["objects"] == 1);
+  }
+}
+
 TEST_CASE("Help and version are printed") {
   const Replay replay;
   const Outcome help = replay.run("--help");
   CHECK(help.exit_code == 0);
   for (const char* option :
        {"--index", "--config", "--top", "--overlay", "--dump", "--pace", "--matching", "--ranking",
-        "--self-test", "--explain", "--track", "--search-every"})
+        "--self-test", "--explain", "--track", "--search-every", "--time-limit-ms"})
     CHECK_THAT(help.out, Contains(option));
   const Outcome version = replay.run("--version");
   CHECK(version.exit_code == 0);

@@ -34,7 +34,9 @@ The configuration is TOML; whatever is left out has a default, but for indexes.
                     min_confidence (probability from which an object is a match),
                     anywhere = true (look for objects before any background as well as alone),
                     track = true (follow objects from frame to frame: each has a number, and costs
-                    a fraction), search_every = 10 (frames; then new ones are looked for)
+                    a fraction), search_every = 10 (frames; then new ones are looked for),
+                    time_limit_ms = 30 (the best answer within so long of each frame, but for
+                    seeing its regions; a line's left_undone counts what there was no time for)
   [output]          stdout = true; and one table for each of
   [output.file]     path, max_mib, keep (older files kept)
   [output.socket]   path

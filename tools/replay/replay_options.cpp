@@ -35,6 +35,14 @@ to another one. Between searches only what is followed is looked for and listed,
 each with one hypothesis without contours; its probability is that of its last recognition.
 With --explain every frame is searched.
 
+--time-limit-ms gives the best answer that is found within so long of a frame. Seeing its regions
+(convert to features in stages_ms) is not cut short, so that no limit below that is kept. Where
+something was left undone the line has left_undone: {objects: seen and not looked at to the end,
+which makes them unknown; indexes: whose objects were not looked for before any background; starts:
+places where such an object may be that were not tried; tracks: followed objects that were not
+looked for, which keep their numbers; searches: 1 where new objects were due to be looked for}, only
+those that are not 0.
+
 --explain adds explanation to each object, of its best hypothesis: {contours: [{contour: number in
 the frame, name: in the class, surfaces: primitives of the scene from 1, colour: shares of red,
 green and blue}], missing: what the model shows in that pose and the picture does not [{name,
@@ -102,6 +110,17 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::optional<Va
       ->type_name(fmt::format("{}", fmt::join(known, "|")));
 }
 
+// CLI11's own range check lets "nan" through.
+std::string fault_of_number(const std::string& text, const char* meaning, double least,
+                            double most) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  const bool is_number = parsed.ec == std::errc() && parsed.ptr == end;
+  if (is_number && number >= least && number <= most) return {};
+  return fmt::format("{} is not {} from {} to {}", text, meaning, least, most);
+}
+
 void add_inputs(CLI::App& app, RawOptions& raw) {
   app.add_option("--index", raw.indexes,
                  "class index of an object or of several; repeat it for more")
@@ -146,6 +165,13 @@ void add_recognition(CLI::App& app, RawOptions& raw) {
          "with --track: all of every N-th frame is searched for new objects, 1: of each [10]")
       ->check(CLI::Range(1, kMostSearchEvery).description(""))
       ->type_name("N");
+  app.add_option_function<double>(
+         "--time-limit-ms", [&overrides](double limit) { overrides.time_limit_ms = limit; },
+         "the best answer within so long of each frame, but for seeing its regions [none]")
+      ->check([](const std::string& text) {
+        return fault_of_number(text, "a time", kLeastTimeLimit_ms, kMostTimeLimit_ms);
+      })
+      ->type_name("T");
   add_choice<Matching>(app, "--matching", overrides.matching,
                        {{"simple", Matching::simple}, {"weighted", Matching::weighted}},
                        "match most contours, or of those the best scored [weighted]");
@@ -173,19 +199,12 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
          kExplainChosen,
          [&raw](std::int64_t) { raw.options.explain = raw.options.explain.value_or(""); }, "")
       ->group("");
-  // CLI11's own range check lets "nan" through.
-  const auto fault_of = [=](const std::string& text) {
-    double fps = 0;
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, fps);
-    const bool is_number = parsed.ec == std::errc() && parsed.ptr == end;
-    if (is_number && fps >= kLeastFps && fps <= kMostFps) return std::string();
-    return fmt::format("{} is not a rate from {} to {}", text, kLeastFps, kMostFps);
-  };
   app.add_option_function<double>(
          "--pace", [&raw](double fps) { raw.options.pace_fps = fps; },
          "start frames at this rate a second, and tell how it went [as fast as possible]")
-      ->check(fault_of)
+      ->check([](const std::string& text) {
+        return fault_of_number(text, "a rate", kLeastFps, kMostFps);
+      })
       ->type_name("FPS");
 }
 

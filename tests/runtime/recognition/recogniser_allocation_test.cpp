@@ -75,6 +75,28 @@ TEST_CASE("what moves, is lost and comes back is followed without memory from th
   CHECK(followed > rounds(96) / 2);
 }
 
+TEST_CASE("frames whose time is over anywhere are recognised without memory from the heap") {
+  const std::vector<OwnedFrame> frames = varied_frames();
+  std::vector<OwnedRecogniser> within;
+  for (const int limit_us : {1, 3000, 6000, 1'000'000}) {
+    RecogniserParameters parameters;
+    parameters.time_limit = std::chrono::microseconds(limit_us);
+    parameters.tracking = {limit_us != 6000, 2};
+    within.emplace_back(cube_and_l_shape(), parameters, 1024, 512);
+  }
+  int cut = 0, whole = 0;
+  const std::uint64_t before = allocation_count();
+  for (int k = 0; k < rounds(100); ++k)
+    for (OwnedRecogniser& owned : within)
+      (owned.recognise(frames[static_cast<std::size_t>(k) % frames.size()].frame())
+               .left_undone.any()
+           ? cut
+           : whole) += 1;
+  CHECK(allocation_count() - before == 0);
+  CHECK(cut > 0);
+  CHECK(whole > 0);
+}
+
 TEST_CASE("the counter that says so counts in this program") {
   const std::uint64_t before = allocation_count();
   const std::vector<OwnedFrame> frames = varied_frames();

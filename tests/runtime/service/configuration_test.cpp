@@ -95,6 +95,19 @@ TEST_CASE(
   CHECK(parameters_of("[recognition]\nsearch_every = 1\n").search_every == 1);
 }
 
+TEST_CASE("A frame's time limit is read in milliseconds, and there is none by itself") {
+  const auto limit_of = [](const std::string& text) {
+    const auto configuration = parse_configuration(text, "c.toml");
+    REQUIRE(configuration);
+    RecogniserParameters parameters;
+    configuration.value().apply(parameters);
+    return parameters.time_limit;
+  };
+  CHECK(limit_of("").count() == 0);
+  CHECK(limit_of("[recognition]\ntime_limit_ms = 12.5\n") == std::chrono::microseconds(12500));
+  CHECK(limit_of("[recognition]\ntime_limit_ms = 40\n") == std::chrono::milliseconds(40));
+}
+
 TEST_CASE("Unknown names are refused with their line and the nearest known name") {
   CHECK_THAT(error_of("\n[segmentation]\nchroma_stp = 3\n"),
              StartsWith("c.toml:3: ") && Contains("did you mean chroma_step?"));
@@ -125,6 +138,11 @@ TEST_CASE("Wrong types and numbers out of range are refused with their line") {
       {"[recognition]\ntrack = 1\n", "c.toml:2: [recognition] track is 1"},
       {"[recognition]\nsearch_every = 0\n", "c.toml:2: [recognition] search_every is 0"},
       {"[recognition]\nsearch_every = 1001\n", "c.toml:2: [recognition] search_every is 1001"},
+      {"[recognition]\ntime_limit_ms = 0\n",
+       "c.toml:2: [recognition] time_limit_ms is 0; it must be a number from 0.001 to 60000"},
+      {"[recognition]\ntime_limit_ms = -5\n", "c.toml:2: [recognition] time_limit_ms is -5"},
+      {"[recognition]\ntime_limit_ms = nan\n", "c.toml:2: [recognition] time_limit_ms is nan"},
+      {"[recognition]\ntime_limit_ms = '5'\n", "c.toml:2: [recognition] time_limit_ms is \"5\""},
       {"[recognition]\ntop = 1979-05-27\n", "c.toml:2: [recognition] top is a date or time"},
       {"[recognition]\nmatching = 'best'\n",
        "c.toml:2: [recognition] matching is \"best\"; it "

@@ -48,6 +48,7 @@ class MadeUp {
   }
 
   const Recognition& recognition() const { return recognition_; }
+  LeftUndone& left_undone() { return recognition_.left_undone; }
   std::span<const ClassIndex> indexes() const { return indexes_; }
 
  private:
@@ -108,6 +109,16 @@ TEST_CASE("A line of JSON holds what was recognised") {
   // The first one is followed.
   CHECK(parsed["objects"][0]["track"] == 7);
   CHECK_FALSE(parsed["objects"][1].contains("track"));
+}
+
+TEST_CASE("What was left undone is told where there is something") {
+  MadeUp made_up(3, 4, 1);
+  CHECK_FALSE(json::parse(made_up.line(1 << 16)).contains("left_undone"));
+  made_up.left_undone() = {2, 0, 31, 0, 0};
+  CHECK(json::parse(made_up.line(1 << 16))["left_undone"] == json{{"objects", 2}, {"starts", 31}});
+  made_up.left_undone() = {0, 5, 0, 4, 1};
+  CHECK(json::parse(made_up.line(1 << 16))["left_undone"] ==
+        json{{"indexes", 5}, {"tracks", 4}, {"searches", 1}});
 }
 
 TEST_CASE("Hypotheses read back as they were") {
