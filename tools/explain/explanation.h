@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/recipe.h"
+#include "tools/eval/wilson_interval.h"
 
 namespace aspect {
 
@@ -19,12 +20,6 @@ struct ExplainSettings {
   int cure_level = 3;  // of the model compiled with changed colours; less than the store's is quick
   int jobs = 0;
 };
-
-// A share of the views, with the 95 % interval that their number leaves (Wilson).
-struct Share {
-  double share = 0, low = 0, high = 0;
-};
-Share share_of(std::size_t count, std::size_t total);
 
 struct Accuracy {
   Share rank_1, rank_5, rank_10;  // the right aspect among the first, modulo symmetry
