@@ -1,38 +1,14 @@
 #include "runtime/capture/recorded_frames.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <string_view>
 #include <system_error>
 
 #include "runtime/capture/decoders.h"
 #include "runtime/capture/raw_frames.h"
+#include "runtime/capture/recorded_files.h"
 
 namespace aspect {
-namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 13> kPictureEndings = {
-    ".png",  ".jpg", ".jpeg", ".jpe", ".bmp", ".tif", ".tiff",
-    ".webp", ".ppm", ".pgm",  ".pbm", ".pnm", ".jp2"};
-constexpr std::array<std::string_view, 14> kVideoEndings = {
-    ".avi",  ".mp4", ".m4v", ".mkv", ".mov",  ".webm",  ".mpg",
-    ".mpeg", ".ogv", ".wmv", ".flv", ".mjpg", ".mjpeg", ".ts"};
-
-bool ends_like(const fs::path& path, std::span<const std::string_view> endings) {
-  std::string ending = path.extension().native();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
-}
-
-// A picture may have its size in its name, too.
-bool is_raw(const fs::path& path) {
-  return is_raw_name(path) && !ends_like(path, kPictureEndings) && !ends_like(path, kVideoEndings);
-}
-
-}  // namespace
 
 RecordedFrames::RecordedFrames(std::span<const fs::path> paths, SensorKind sensor)
     : sensor_(sensor) {
@@ -54,11 +30,12 @@ void RecordedFrames::add(const fs::path& path) {
   if (fs::is_directory(status)) return add_folder(path);
   if (!fs::is_regular_file(status))
     return refuse("neither a file nor a folder; give a picture, a folder of pictures or a video");
-  if (is_raw(path)) {
+  const RecordedKind kind = recorded_kind(path);
+  if (kind == RecordedKind::raw) {
     items_.push_back({Kind::raw, path, {}, raw_frame_count(path)});
     return;
   }
-  const bool is_video = ends_like(path, kVideoEndings);
+  const bool is_video = kind == RecordedKind::video;
   if (is_video && sensor_ != SensorKind::colour)
     return refuse(
         "a video, whose frames are in colour, and the index is of another sensor; give "
@@ -67,37 +44,16 @@ void RecordedFrames::add(const fs::path& path) {
 }
 
 void RecordedFrames::add_folder(const fs::path& folder) {
-  std::vector<fs::path> pictures;
-  std::error_code code;
-  for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
-       entry.increment(code)) {
-    std::error_code unknown;
-    if (entry->is_regular_file(unknown) &&
-        (ends_like(entry->path(), kPictureEndings) || is_raw(entry->path())))
-      pictures.push_back(entry->path());
-  }
-  const std::string name = folder.native() + ": ";
-  if (code) {
-    items_.push_back({Kind::unusable, folder,
-                      name + "cannot be listed: " + code.message() + "; check its permissions"});
+  const Result<std::vector<fs::path>> files = frame_files_in(folder);
+  if (!files) {
+    items_.push_back({Kind::unusable, folder, files.error()});
     return;
   }
-  if (pictures.empty()) {
-    const bool has_frames = fs::is_directory(folder / "frames", code);
-    items_.push_back({Kind::unusable, folder,
-                      name + (has_frames ? "holds no pictures, but a folder frames; give " +
-                                               (folder / "frames").native()
-                                         : "holds no pictures (.png, .jpg, .bmp and the like); "
-                                           "check the path")});
-    return;
-  }
-  std::sort(pictures.begin(), pictures.end(),
-            [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
-  for (const fs::path& picture : pictures) {
-    if (is_raw(picture))
-      items_.push_back({Kind::raw, picture, {}, raw_frame_count(picture)});
+  for (const fs::path& file : files.value()) {
+    if (recorded_kind(file) == RecordedKind::raw)
+      items_.push_back({Kind::raw, file, {}, raw_frame_count(file)});
     else
-      items_.push_back({Kind::picture, picture, {}});
+      items_.push_back({Kind::picture, file, {}});
   }
 }
 

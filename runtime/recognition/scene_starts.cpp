@@ -11,8 +11,6 @@ namespace {
 
 // Regions that take part.
 constexpr float kMostAreaShare = 0.3F;
-// Shares farther from a colour of the model than this are not it.
-constexpr float kFarthestShare = 0.1F;
 // Two regions are neighbours where their centres are no farther apart than this, in square roots of
 // the sum of their areas.
 constexpr float kFarthest = 3;
@@ -33,7 +31,7 @@ std::uint64_t colours_near(const ObjectModel& model, const std::array<float, 3>&
   const std::array<float, 3> share{rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
   std::uint64_t near = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(model.shares.size(), 64); ++k)
-    if (squared_distance(share, model.shares[k]) < kFarthestShare * kFarthestShare)
+    if (squared_distance(share, model.shares[k]) < kColourReach * kColourReach)
       near |= std::uint64_t{1} << k;
   return near;
 }
@@ -50,7 +48,7 @@ bool shows(const Planes& colours, int x, int y, const std::array<float, 3>& shar
              blue = static_cast<float>(colours.blue[place]);
   const float sum = red + green + blue;
   return sum >= kLeastSum && squared_distance({red / sum, green / sum, blue / sum}, share) <
-                                 kFarthestShare * kFarthestShare;
+                                 kColourReach * kColourReach;
 }
 
 bool is_near(float size, float other) {

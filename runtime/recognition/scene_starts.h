@@ -29,6 +29,9 @@ struct SeenScene {
   Deadline deadline{};
 };
 
+// A region or pixel whose shares of r, g and b are no farther from a colour of the model may be it.
+inline constexpr float kColourReach = 0.1F;
+
 // A key view laid over the frame: a unit of its blob is `scale_px` long.
 struct SceneStart {
   float explained = 0;  // share of the key view's area that finds its colour

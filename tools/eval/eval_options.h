@@ -19,6 +19,11 @@ struct EvalOptions {
   RecogniserParameters::Ranking ranking = RecogniserParameters::Ranking::views;
   bool json = false;
   std::filesystem::path reliability;  // of a plot; empty: none
+  bool clutter = false;               // frames in clutter; what follows is of these
+  std::filesystem::path backgrounds;  // folder of pictures; empty: none
+  double hidden_max = 0.7;            // share of the object
+  std::filesystem::path dump;         // folder that the frames are written to; empty: none
+  std::filesystem::path recall;       // of a plot; empty: none
 };
 
 // The complaint where indexes and scenes are not as many.

@@ -14,7 +14,7 @@ namespace aspect {
 namespace {
 
 template <typename Test>
-double share_of(const std::vector<ViewOutcome>& outcomes, const Test& test) {
+double share_with(const std::vector<ViewOutcome>& outcomes, const Test& test) {
   return static_cast<double>(std::count_if(outcomes.begin(), outcomes.end(), test)) /
          static_cast<double>(outcomes.size());
 }
@@ -50,9 +50,9 @@ void summarise(ObjectEvaluation& evaluation) {
   for (std::size_t k = 0; k < kReportedRanks.size(); ++k) {
     const int most = kReportedRanks[k];
     const auto counts = [&](int rank) { return rank >= 1 && rank <= most; };
-    evaluation.right[k] = share_of(outcomes, [&](const auto& o) { return counts(o.rank); });
+    evaluation.right[k] = share_with(outcomes, [&](const auto& o) { return counts(o.rank); });
     evaluation.right_with_symmetry[k] =
-        share_of(outcomes, [&](const auto& o) { return counts(o.rank_with_symmetry); });
+        share_with(outcomes, [&](const auto& o) { return counts(o.rank_with_symmetry); });
   }
   std::vector<double> errors, times;
   std::vector<JudgedView> judged;

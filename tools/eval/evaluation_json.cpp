@@ -22,21 +22,6 @@ Json spread_json(const ErrorSpread& spread) {
   return {{"median", spread.median}, {"p90", spread.p90}, {"within_5", spread.within_5}};
 }
 
-Json poses_json(const std::optional<PoseSummary>& pose) {
-  if (!pose) return nullptr;
-  return {{"percent_found", 100 * pose->found_share},
-          {"rotation_deg", spread_json(pose->rotation_deg)},
-          {"translation_percent", spread_json(pose->translation_percent)},
-          {"reprojection_px", spread_json(pose->reprojection_px)}};
-}
-
-Json pose_error_json(const std::optional<PoseError>& error) {
-  if (!error) return nullptr;
-  return {{"rotation_deg", error->rotation_deg},
-          {"translation_percent", error->translation_percent},
-          {"reprojection_px", error->reprojection_px}};
-}
-
 Json reliability_json(const Reliability& reliability) {
   const auto right = reliability.right_match_share(),
              error = reliability.expected_calibration_error();
@@ -113,6 +98,21 @@ Json confusion_json(const Evaluation& evaluation) {
 }
 
 }  // namespace
+
+Json poses_json(const std::optional<PoseSummary>& pose) {
+  if (!pose) return nullptr;
+  return {{"percent_found", 100 * pose->found_share},
+          {"rotation_deg", spread_json(pose->rotation_deg)},
+          {"translation_percent", spread_json(pose->translation_percent)},
+          {"reprojection_px", spread_json(pose->reprojection_px)}};
+}
+
+Json pose_error_json(const std::optional<PoseError>& error) {
+  if (!error) return nullptr;
+  return {{"rotation_deg", error->rotation_deg},
+          {"translation_percent", error->translation_percent},
+          {"reprojection_px", error->reprojection_px}};
+}
 
 std::string evaluation_json(const Evaluation& evaluation) {
   const EvaluationSettings& settings = evaluation.settings;

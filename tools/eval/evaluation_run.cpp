@@ -9,6 +9,7 @@
 #include "runtime/recognition/index_bundle.h"
 #include "tools/aspectc/commands/whole_file.h"
 #include "tools/command_line/command_line.h"
+#include "tools/eval/clutter_run.h"
 #include "tools/eval/evaluation_json.h"
 #include "tools/eval/evaluation_text.h"
 #include "tools/eval/reliability_svg.h"
@@ -93,8 +94,9 @@ void write_plot(const Evaluation& evaluation, const std::filesystem::path& file,
 
 int run_evaluation(const EvalOptions& options) {
   Console console("aspect-eval");
-  if (!options.reliability.empty()) {
-    if (const auto done = check_writable(options.reliability); !done) {
+  for (const std::filesystem::path& plot : {options.reliability, options.recall}) {
+    if (plot.empty()) continue;
+    if (const auto done = check_writable(plot); !done) {
       console.fail(done.error());
       return 1;
     }
@@ -107,6 +109,10 @@ int run_evaluation(const EvalOptions& options) {
   }
   const std::vector<EvaluatedObject> objects = load_objects(std::move(indexes), options, console);
   if (console.failures() > 0) return 1;
+  if (options.clutter) {
+    run_clutter(objects, options, console);
+    return console.failures() > 0 ? 1 : 0;
+  }
   Evaluation evaluation;
   evaluation.settings = {options.views, options.seed, options.matching, options.ranking};
   for (const EvaluatedObject& object : objects) {

@@ -11,35 +11,11 @@ namespace aspect {
 namespace {
 
 constexpr std::size_t kMostChanges = 3;
-constexpr double kSeparate = 2;       // colours farther apart than this are not what confuses
+constexpr double kSeparate = 2;  // colours farther apart than this are not what confuses
+// Then no pixel of usual brightness is within kColourReach of both: the difference of their shares
+// is more than twice that.
+constexpr double kFarApart = 4;
 constexpr double kLeastViews = 0.25;  // of those of the most frequent pair, to be worth a change
-
-struct NamedColour {
-  const char* name;
-  Eigen::Vector3d colour;
-};
-
-// Hues at full and at half strength, and grey; none of them dark.
-std::vector<NamedColour> palette() {
-  constexpr std::array kNames = {"red",  "orange", "yellow", "lime",   "green",   "mint",
-                                 "cyan", "sky",    "blue",   "violet", "magenta", "rose"};
-  std::vector<NamedColour> colours;
-  for (const double saturation : {0.9, 0.5}) {
-    for (std::size_t k = 0; k < kNames.size(); ++k) {
-      Eigen::Vector3d colour;
-      for (Eigen::Index channel = 0; channel < 3; ++channel) {
-        // Each channel is full a third of the way round, and none half the way.
-        const double turn =
-            std::fmod(static_cast<double>(k) / 12 - static_cast<double>(channel) / 3 + 1.5, 1.0);
-        const double full = std::clamp(2 - std::abs(turn - 0.5) * 6, 0.0, 1.0);
-        colour[channel] = 0.85 * (1 - saturation * (1 - full));
-      }
-      colours.push_back({kNames[k], colour});
-    }
-  }
-  colours.push_back({"grey", Eigen::Vector3d(.6, .6, .6)});
-  return colours;
-}
 
 double least_separation(const Eigen::Vector3d& colour, std::size_t changed,
                         const std::vector<Eigen::Vector3d>& colours,
@@ -52,8 +28,47 @@ double least_separation(const Eigen::Vector3d& colour, std::size_t changed,
 
 }  // namespace
 
+std::vector<PaletteColour> palette() {
+  constexpr std::array kNames = {"red",  "orange", "yellow", "lime",   "green",   "mint",
+                                 "cyan", "sky",    "blue",   "violet", "magenta", "rose"};
+  std::vector<PaletteColour> colours;
+  for (const double saturation : {0.9, 0.5}) {
+    for (std::size_t k = 0; k < kNames.size(); ++k) {
+      Eigen::Vector3d colour;
+      for (Eigen::Index channel = 0; channel < 3; ++channel) {
+        // Each channel is full a third of the way round, and none half the way.
+        const double turn =
+            std::fmod(static_cast<double>(k) / 12 - static_cast<double>(channel) / 3 + 1.5, 1.0);
+        const double full = std::clamp(2 - std::abs(turn - 0.5) * 6, 0.0, 1.0);
+        colour[channel] = 0.85 * (1 - saturation * (1 - full));
+      }
+      colours.push_back({kNames[k], colour, {}});
+    }
+  }
+  colours.push_back({"grey", Eigen::Vector3d(.6, .6, .6), {}});
+  return colours;
+}
+
+std::optional<BetterPaint> best_paint(std::span<const PaletteColour> palette, std::size_t changed,
+                                      const std::vector<Eigen::Vector3d>& colours,
+                                      const VisionParameters& vision) {
+  std::optional<BetterPaint> best;
+  const auto is_better = [](const BetterPaint& a, const BetterPaint& b) {
+    const bool a_is_far = a.separation > kFarApart, b_is_far = b.separation > kFarApart;
+    if (a_is_far != b_is_far) return a_is_far;
+    if (a.paint.commonness != b.paint.commonness) return a.paint.commonness < b.paint.commonness;
+    return a.separation > b.separation;
+  };
+  for (const PaletteColour& paint : palette) {
+    const BetterPaint candidate{paint, least_separation(paint.colour, changed, colours, vision)};
+    if (!best || is_better(candidate, *best)) best = candidate;
+  }
+  return best;
+}
+
 std::vector<ColourChange> colour_changes(const std::vector<FaceConfusion>& confusions,
-                                         const Faces& faces, const VisionParameters& vision) {
+                                         const Faces& faces, const VisionParameters& vision,
+                                         std::span<const PaletteColour> palette) {
   std::vector<Eigen::Vector3d> colours;
   for (const Face& face : faces.all) colours.push_back(face.colour);
   std::vector<std::size_t> involved(faces.all.size(), 0);
@@ -74,12 +89,10 @@ std::vector<ColourChange> colour_changes(const std::vector<FaceConfusion>& confu
     if (static_cast<double>(c.views) < kLeastViews * static_cast<double>(most)) break;
     ColourChange change;
     change.face = involved[c.face] > involved[c.taken_for] ? c.face : c.taken_for;
-    for (const NamedColour& candidate : palette()) {
-      const double least = least_separation(candidate.colour, change.face, colours, vision);
-      if (least <= change.separation) continue;
-      change.separation = least;
-      change.colour = candidate.colour;
-      change.colour_name = candidate.name;
+    if (const auto best = best_paint(palette, change.face, colours, vision)) {
+      change.separation = best->separation;
+      change.colour = best->paint.colour;
+      change.colour_name = best->paint.name;
     }
     if (change.separation <= c.separation) continue;
     colours[change.face] = change.colour;

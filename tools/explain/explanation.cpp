@@ -5,6 +5,7 @@
 #include "compiler/compile.h"
 #include "compiler/scene/scene_reader.h"
 #include "tools/doctor/colour_crowd.h"
+#include "tools/explain/background_advice.h"
 #include "tools/explain/blind_spots.h"
 #include "tools/explain/colour_cure.h"
 #include "tools/explain/confusions.h"
@@ -23,11 +24,25 @@ std::optional<CrowdedColours> crowded_colours(const EvaluatedObject& object, con
   return CrowdedColours{groups.groups.size(), crowd.share, crowd.enough};
 }
 
+// As large as frames of many cameras; larger ones tell nothing more of colours.
+Result<BackgroundPictures> pictures_for(const ExplainSettings& settings,
+                                        const VisionParameters& vision) {
+  constexpr int kLongest_px = 640;
+  if (settings.backgrounds.empty()) return BackgroundPictures{};
+  if (vision.sensor != SensorKind::colour)
+    return Error{settings.backgrounds.native() +
+                 ": backgrounds are compared by their colours, which the model's sensor does not "
+                 "see; leave --backgrounds out"};
+  return read_backgrounds(settings.backgrounds, kLongest_px);
+}
+
 }  // namespace
 
 Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
                             const ExplainSettings& settings) {
   CompileOptions options = recipe.options;
+  const Result<BackgroundPictures> pictures = pictures_for(settings, options.vision);
+  if (!pictures) return Error{pictures.error()};
   options.jobs = settings.jobs;
   const Result<CompiledIndex> compiled = compile(recipe.scene, options, store, {}, nullptr);
   if (!compiled) return Error{compiled.error()};
@@ -64,8 +79,16 @@ Result<Explanation> explain(const std::filesystem::path& store, const Recipe& re
   e.scene_file = recipe.scene.file;
   e.merged_colours = recipe.scene.merged_colours;
   e.crowded = crowded_colours(object, recipe.scene, vision);
+  std::vector<PaletteColour> paints = palette();
+  if (!settings.backgrounds.empty()) {
+    paints = palette_before(pictures.value(), vision);
+    const std::span<const PaletteColour> usable = paints;
+    e.backgrounds = background_colours(faces, pictures.value(),
+                                       usable.first(e.crowded ? 0 : paints.size()), vision);
+  }
   if (e.crowded) return e;
-  const std::vector<ColourChange> changes = colour_changes(e.face_confusions, faces, vision);
+  const std::vector<ColourChange> changes =
+      colour_changes(e.face_confusions, faces, vision, paints);
   if (changes.empty()) return e;
   Result<Cure> cure = try_changes(recipe, changes, faces, trials, settings);
   if (!cure) return Error{cure.error()};

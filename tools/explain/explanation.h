@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "compiler/recipe.h"
+#include "tools/eval/wilson_interval.h"
+#include "tools/explain/colour_presence.h"
 
 namespace aspect {
 
@@ -18,13 +20,8 @@ struct ExplainSettings {
   std::uint64_t seed = 1;
   int cure_level = 3;  // of the model compiled with changed colours; less than the store's is quick
   int jobs = 0;
+  std::filesystem::path backgrounds;  // folder of pictures; empty: none
 };
-
-// A share of the views, with the 95 % interval that their number leaves (Wilson).
-struct Share {
-  double share = 0, low = 0, high = 0;
-};
-Share share_of(std::size_t count, std::size_t total);
 
 struct Accuracy {
   Share rank_1, rank_5, rank_10;  // the right aspect among the first, modulo symmetry
@@ -58,6 +55,36 @@ struct FaceConfusion {
   std::size_t face = 0, taken_for = 0;  // into Explanation::faces
   std::size_t views = 0;
   double separation = 0;  // of the colours; the segmentation separates above 1
+};
+
+// A colour that a surface can be painted in.
+struct PaletteColour {
+  std::string name;
+  Eigen::Vector3d colour{0, 0, 0};
+  // In the backgrounds, where there are any.
+  ColourPresence presence;
+  Commonness commonness = Commonness::rare;
+};
+
+struct BetterPaint {
+  PaletteColour paint;
+  double separation = 0;  // least, from all other colours
+};
+
+// A colour of the object, with all its surfaces, in the backgrounds.
+struct BackgroundColour {
+  Face face;
+  ColourPresence presence;
+  Commonness commonness = Commonness::rare;
+  std::optional<BetterPaint> better;  // where it is common, and another would be less so
+};
+
+inline constexpr std::size_t kMostBetterPaints = 3;  // that are proposed
+
+struct BackgroundColours {
+  std::string folder;
+  std::size_t pictures = 0;               // that were looked at
+  std::vector<BackgroundColour> colours;  // most common first
 };
 
 struct ColourChange {
@@ -100,7 +127,8 @@ struct Explanation {
   std::vector<FaceConfusion> face_confusions;
   std::optional<CrowdedColours> crowded;      // then no changes are looked for
   std::optional<std::size_t> merged_colours;  // of a mesh whose colours were merged: into so many
-  Cure cure;                                  // without changes where none would help
+  std::optional<BackgroundColours> backgrounds;  // where some were given
+  Cure cure;                                     // without changes where none would help
 };
 
 // Makes the model of a store again, which renders nothing new, and puts it to the test.

@@ -66,6 +66,29 @@ Json face_confusions_json(const Explanation& e) {
   return list;
 }
 
+void add_presence(const ColourPresence& presence, Commonness commonness, Json& json) {
+  json["pixels"] = presence.pixels;
+  json["pictures"] = presence.pictures;
+  json["commonness"] = name_of(commonness);
+}
+
+Json backgrounds_json(const BackgroundColours& backgrounds) {
+  Json colours = Json::array();
+  for (const BackgroundColour& c : backgrounds.colours) {
+    Json json = face_json(c.face);
+    add_presence(c.presence, c.commonness, json);
+    if (c.better) {
+      const PaletteColour& paint = c.better->paint;
+      Json& better = json["better"] = {{"colour", vector_json(paint.colour)},
+                                       {"colour_name", paint.name},
+                                       {"separation", c.better->separation}};
+      add_presence(paint.presence, paint.commonness, better);
+    }
+    colours.push_back(std::move(json));
+  }
+  return {{"folder", backgrounds.folder}, {"pictures", backgrounds.pictures}, {"colours", colours}};
+}
+
 Json cure_json(const Explanation& e) {
   Json changes = Json::array();
   for (const ColourChange& c : e.cure.changes)
@@ -103,6 +126,7 @@ std::string explanation_json(const Explanation& e) {
     json["crowded_colours"] = {{"colours", e.crowded->colours},
                                {"share", e.crowded->share},
                                {"merge_colours", e.crowded->enough}};
+  if (e.backgrounds) json["backgrounds"] = backgrounds_json(*e.backgrounds);
   if (!e.cure.changes.empty()) json["cure"] = cure_json(e);
   return json.dump(2) + "\n";
 }

@@ -86,6 +86,33 @@ void add_confusions(const Explanation& e, std::string& text) {
   }
 }
 
+void add_backgrounds(const Explanation& e, std::string& text) {
+  if (!e.backgrounds) return;
+  const BackgroundColours& backgrounds = *e.backgrounds;
+  text += fmt::format(
+      "colours in {} pictures of {}: share of the pixels, of the pictures with a region of it\n",
+      backgrounds.pictures, backgrounds.folder);
+  for (const BackgroundColour& c : backgrounds.colours) {
+    text += fmt::format("  {:10}  {:5.1f} %  {:5.1f} %  {}\n", name_of(c.commonness),
+                        100 * c.presence.pixels, 100 * c.presence.pictures, name(c.face));
+    if (!c.better) continue;
+    const PaletteColour& paint = c.better->paint;
+    text += fmt::format(
+        "    better: {} [{}], {}, {:.1f} % and {:.1f} %, {:.1f} steps from every other colour\n",
+        paint.name, colour(paint.colour), name_of(paint.commonness), 100 * paint.presence.pixels,
+        100 * paint.presence.pictures, c.better->separation);
+  }
+  std::size_t better = 0, common = 0;
+  for (const BackgroundColour& c : backgrounds.colours) {
+    better += c.better ? 1U : 0U;
+    common += c.commonness == Commonness::common ? 1U : 0U;
+  }
+  if (e.crowded || better == common) return;
+  text += better == kMostBetterPaints
+              ? "  change these first, then ask again for the other common ones\n"
+              : "  for the other common ones no paint is less common and far from the others\n";
+}
+
 void add_cure(const Explanation& e, std::string& text) {
   const Cure& cure = e.cure;
   if (e.crowded) {
@@ -129,6 +156,7 @@ std::string explanation_text(const Explanation& e) {
   text += fmt::format("wrong by more than 20 degrees: {} views\n", e.wrong_views);
   add_spots(e.failing_spots, "of the views wrong", text);
   add_confusions(e, text);
+  add_backgrounds(e, text);
   add_cure(e, text);
   return text;
 }

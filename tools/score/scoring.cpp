@@ -7,13 +7,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double overlap(const PixelBox& a, const PixelBox& b) {
-  const double width = std::min(a[0] + a[2], b[0] + b[2]) - std::max(a[0], b[0]);
-  const double height = std::min(a[1] + a[3], b[1] + b[3]) - std::max(a[1], b[1]);
-  if (width <= 0 || height <= 0) return 0;
-  return width * height / (a[2] * a[3] + b[2] * b[3] - width * height);
-}
-
 bool is_same_file(const std::string& file, const fs::path& folder, const std::string& frame) {
   std::error_code code;
   return frame == file || frame.ends_with("/" + file) || fs::equivalent(frame, folder / file, code);
@@ -44,7 +37,7 @@ class Things {
     double most = 0;
     for (std::size_t k = 0; k < things_.size(); ++k) {
       if (taken_[k] || !things_[k].is_named || things_[k].object != object.object) continue;
-      const double share = overlap(object.box, things_[k].box);
+      const double share = box_overlap(object.box, things_[k].box);
       if (share < kLeastOverlap || share <= most) continue;
       most = share;
       best = k;
@@ -58,7 +51,7 @@ class Things {
   std::string name_in_place_of(const TrueObject& object) {
     for (std::size_t k = 0; k < things_.size(); ++k) {
       if (taken_[k] || shown_[k] || !things_[k].is_named) continue;
-      if (overlap(object.box, things_[k].box) < kLeastOverlap) continue;
+      if (box_overlap(object.box, things_[k].box) < kLeastOverlap) continue;
       shown_[k] = true;
       return things_[k].object;
     }
@@ -158,6 +151,13 @@ void summarise(Score& score) {
 }
 
 }  // namespace
+
+double box_overlap(const PixelBox& a, const PixelBox& b) {
+  const double width = std::min(a[0] + a[2], b[0] + b[2]) - std::max(a[0], b[0]);
+  const double height = std::min(a[1] + a[3], b[1] + b[3]) - std::max(a[1], b[1]);
+  if (width <= 0 || height <= 0) return 0;
+  return width * height / (a[2] * a[3] + b[2] * b[3] - width * height);
+}
 
 double ScoreSummary::right_share() const {
   return objects == 0 ? 0 : static_cast<double>(right) / static_cast<double>(objects);

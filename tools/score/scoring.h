@@ -20,6 +20,9 @@ inline constexpr double kNotFound_deg = 180;
 inline constexpr double kLeastVisible = 0.65;  // share of an object that counts
 inline constexpr double kLeastOverlap = 0.3;   // IoU of boxes that mean the same thing
 
+// Intersection over union.
+double box_overlap(const PixelBox& a, const PixelBox& b);
+
 // One object of the truth, or one thing named where no object is (then `truth` is empty).
 struct ScoredObject {
   std::string truth, found;  // names; `found` is empty where nothing was

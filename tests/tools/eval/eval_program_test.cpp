@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "tests/child_program.h"
 #include "tests/temporary_folder.h"
+#include "tools/score/truth_table.h"
 
 namespace aspect {
 namespace {
@@ -100,6 +102,33 @@ TEST_CASE("A reliability plot is written whole, or the run ends before it begins
     CHECK(entry.path().extension() != ".part");
 }
 
+TEST_CASE("Frames in clutter are measured, and written with their truth") {
+  const Evaluations evaluations;
+  const Outcome outcome =
+      evaluations.eval(kCube + "--clutter --views 8 --json --dump frames --recall recall.svg");
+  CHECK(outcome.err == "");
+  REQUIRE(outcome.exit_code == 0);
+  const auto parsed = nlohmann::json::parse(outcome.out);
+  const auto& clutter = parsed["objects"][0]["clutter"];
+  CHECK(parsed["views"] == 8);
+  CHECK(clutter["frames_with_object"] == 6);
+  CHECK(clutter["frames_without"] == 2);
+  const auto truth = read_truth(evaluations.path() / "frames/truth.csv");
+  REQUIRE(truth.ok());
+  REQUIRE(truth.value().size() == 8);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const TrueFrame& frame = truth.value()[k];
+    CHECK(frame.objects.empty() == (k % 4 == 3));
+    CHECK(cv::imread((evaluations.path() / "frames" / frame.file).native()).cols == 512);
+    if (frame.objects.empty()) continue;
+    CHECK(frame.objects[0].visible ==
+          Approx(clutter["frames"][k]["visible"].get<double>()).margin(1e-4));
+  }
+  CHECK_THAT(read_file(evaluations.path() / "recall.svg"), Contains("8 frames in clutter"));
+  CHECK_THAT(evaluations.eval(kCube + "--clutter --views 4 --backgrounds frames").out,
+             Contains("before pieces of 8 pictures of frames"));
+}
+
 TEST_CASE("An index that does not belong to the scene gets a warning") {
   const Outcome outcome = Evaluations().eval(kMisfit + "--views 2");
   CHECK(outcome.exit_code == 0);
@@ -111,6 +140,7 @@ TEST_CASE("Wrong usage and bad files are told in one line") {
   for (const std::string& arguments :
        {std::string(), std::string("--index cube.aspect"), kCube + "--scene x.b",
         kCube + "--views 0", kCube + "--views x", kCube + "--seed -1", kCube + "--ranking best",
+        kCube + "--hidden 0.3", kCube + "--clutter --reliability x.svg",
         kCube + "--reliability x.svg --ranking classes", kCube + "--bogus", kCube + "more"}) {
     const Outcome outcome = evaluations.eval(arguments);
     INFO(arguments);
@@ -120,7 +150,8 @@ TEST_CASE("Wrong usage and bad files are told in one line") {
   }
   for (const std::string& arguments :
        {std::string("--index none.aspect --scene none.b"),
-        std::string("--index cube.aspect --scene none.b"), kCube + kCube}) {
+        std::string("--index cube.aspect --scene none.b"), kCube + kCube,
+        kCube + "--clutter --backgrounds none", kCube + "--clutter --dump cube.aspect/x"}) {
     const Outcome outcome = evaluations.eval(arguments);
     INFO(arguments);
     CHECK(outcome.exit_code == 1);

@@ -119,6 +119,44 @@ TEST_CASE("the explanation is printed in words and as JSON, the same each time")
     CHECK_THAT(text, Contains(words));
 }
 
+TEST_CASE("colours that are common in the backgrounds are told of, with better ones") {
+  const TemporaryFolder folder;
+  const Scene scene = block_scene(kCube, {0, 1, 2, 3, 4, 5});
+  CompileOptions options;
+  options.level = options.min_level = 1;
+  options.threshold = options.cluster_threshold = 1e9;
+  options.small_cluster_fraction = 0;
+  ExplainSettings settings;
+  settings.views = 5;
+  settings.backgrounds = folder.path();
+  const auto told = [&](SensorKind sensor) {
+    options.vision.sensor = sensor;
+    return explain(folder.path() / "block.store", {scene, options}, settings);
+  };
+  CHECK_THAT(told(SensorKind::colour).error(), Contains("holds no pictures"));
+  const Eigen::Vector3d colour = 255 * test_colour(2);
+  std::string ppm = "P6\n20 10\n255\n";
+  for (int k = 0; k < 200; ++k)
+    for (const double value : colour) ppm += static_cast<char>(static_cast<int>(value));
+  folder.write("room.ppm", ppm);
+  CHECK_THAT(told(SensorKind::range).error(), Contains("leave --backgrounds out"));
+  const auto found = told(SensorKind::colour);
+  if (!found) FAIL(found.error());
+  REQUIRE(found.value().backgrounds);
+  const BackgroundColour& first = found.value().backgrounds->colours.front();
+  CHECK(first.face.primitives == std::vector<std::uint16_t>{3});
+  CHECK(first.presence.pixels == 1);
+  REQUIRE(first.better);
+  CHECK_THAT(explanation_text(found.value()), Contains("colours in 1 pictures of ") &&
+                                                  Contains("common      100.0 %  100.0 %") &&
+                                                  Contains("better: " + first.better->paint.name));
+  const auto json = nlohmann::json::parse(explanation_json(found.value()));
+  CHECK(json["backgrounds"]["pictures"] == 1);
+  CHECK(json["backgrounds"]["colours"][0]["commonness"] == "common");
+  CHECK(json["backgrounds"]["colours"][0]["better"]["commonness"] == "rare");
+  CHECK(json["backgrounds"]["colours"][5]["commonness"] == "rare");
+}
+
 TEST_CASE("of a mesh in very many colours the cure is to merge them, to as many as it has paints") {
   Scene scene = scene_of_mesh(shaded_ball()).value();
   scene.file = "ball.ply";

@@ -48,7 +48,7 @@ TEST_CASE("the colour proposed is farther from all others than the one mistaken"
   const Scene scene = block_scene({.2, .2, .2}, {0, 0, 1, 2, 3, 4});
   const Faces faces = faces_of(scene);
   const VisionParameters vision;
-  const auto changes = colour_changes({{0, 1, 10, 0}, {2, 3, 1, 0}}, faces, vision);
+  const auto changes = colour_changes({{0, 1, 10, 0}, {2, 3, 1, 0}}, faces, vision, palette());
   REQUIRE(changes.size() == 1);  // a tenth of the views is not worth another colour
   CHECK(changes[0].face == 1);
   for (std::size_t k = 0; k < 6; ++k)
@@ -56,7 +56,7 @@ TEST_CASE("the colour proposed is farther from all others than the one mistaken"
       CHECK(colour_separation(changes[0].colour, faces.all[k].colour, vision) >=
             changes[0].separation);
   CHECK(changes[0].separation > 3);
-  CHECK(colour_changes({{2, 3, 10, 9.5}}, faces, vision).empty());
+  CHECK(colour_changes({{2, 3, 10, 9.5}}, faces, vision, palette()).empty());
 }
 
 }  // namespace aspect

@@ -25,6 +25,11 @@ constexpr const char* kKeys =
   merged_colours   into so many the colours of the mesh were merged; only where they were
   crowded_colours  colours of a mesh, the share of its surface in ones that touch others too like
                    them, merge_colours: so many would do; only where there are so many
+  backgrounds      folder, pictures (looked at, at most 200), colours: surfaces, colour, share of
+                   pixels of it, share of pictures with a region of it (0.1 % of a picture and
+                   more), commonness (common: 2 % of the pixels or a quarter of the pictures and
+                   more; rare: under 0.2 % and a tenth; else occasional), better (a colour less
+                   common and far from the others); only with --backgrounds
   cure             changes (face, colour, colour_name, separation), level, wrong_before,
                    wrong_after, cured (of those wrong before), accuracy; only where there is one)";
 
@@ -54,6 +59,11 @@ CLI::App* add_explain_command(CLI::App& app, ExplainCommand& command) {
       ->capture_default_str();
   explain->add_option("--jobs", command.settings.jobs, "threads [one a core]")
       ->check(CLI::Range(1, 1024));
+  explain
+      ->add_option("--backgrounds", command.settings.backgrounds,
+                   "folder of pictures of where the object will be used: tells how common its "
+                   "colours are in them, and which would be better")
+      ->type_name("DIR");
   explain->add_flag("--json", command.json, "everything, as one JSON object");
   explain->footer(kKeys);
   return explain;
