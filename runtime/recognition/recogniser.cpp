@@ -58,7 +58,7 @@ float probability_of(const SceneAgreement& agreement) {
 // What is all of a blob should have been found as an object that stands alone; where it was not,
 // because it is small, blurred or cut, the drawing must agree the better.
 bool is_doubtful(const SceneAgreement& agreement, const Box& blob) {
-  constexpr float kLeastScore = 0.85F, kLeastOfTwo = 0.95F, kAllOfIt = 0.5F;
+  constexpr float kLeastScore = 0.85F, kLeastOfTwo = 0.9F, kAllOfIt = 0.5F;
   const Box& box = agreement.box;
   const int width = std::min(box.x + box.width, blob.x + blob.width) - std::max(box.x, blob.x),
             height = std::min(box.y + box.height, blob.y + blob.height) - std::max(box.y, blob.y);
