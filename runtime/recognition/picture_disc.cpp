@@ -16,10 +16,8 @@ double distance_px(const PictureDisc& a, const PictureDisc& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-bool share_place(const PictureDisc& a, const PictureDisc& b) {
-  // Of the larger one's radius; scene_search.h goes by the same.
-  constexpr double kShare = 0.4;
-  return distance_px(a, b) < kShare * std::max(a.radius_px, b.radius_px);
+bool share_place(const PictureDisc& a, const PictureDisc& b, double share) {
+  return distance_px(a, b) < share * std::max(a.radius_px, b.radius_px);
 }
 
 }  // namespace aspect

@@ -14,7 +14,9 @@ PictureDisc disc_of(const ObjectModel& model, const RigidPose& pose, const Camer
 
 double distance_px(const PictureDisc& a, const PictureDisc& b);
 
-// Two objects cannot both be where their discs are so near to each other, but one behind the other.
-bool share_place(const PictureDisc& a, const PictureDisc& b);
+// Two objects cannot both be where their discs are so near to each other, but one behind the other;
+// twice the same one cannot from farther apart. Shares of the larger disc's radius.
+inline constexpr double kPlaceShare = 0.4, kSameObjectShare = 0.7;
+bool share_place(const PictureDisc& a, const PictureDisc& b, double share = kPlaceShare);
 
 }  // namespace aspect

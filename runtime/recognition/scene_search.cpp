@@ -12,31 +12,10 @@ constexpr int kStartCells = 20, kFinalCells = 40, kRoundCells = 64, kRounds = 7;
 constexpr std::size_t kMostInPlace = 5;
 // A drawing that shows less than this of what it should is not worth refining.
 constexpr float kHopeful = 0.35F;
-constexpr float kPlaceShare = 0.4F, kSameObjectShare = 0.7F;
 // A start of this margin that is worse when refined is refined once more.
 constexpr float kPromising = -0.2F, kAlmostAll = 0.95F;
 
-// Where the object's middle is in the picture, and how far it reaches from there.
-struct Place {
-  float x = 0, y = 0, radius_px = 0;
-};
-
-Place place_of(const ObjectModel& model, const RigidPose& pose, const CameraModel& camera) {
-  const Vector3d centre = pose(model.centre);
-  const double near = 1 / std::max(centre[2], 1e-9);
-  return {static_cast<float>(camera.cx_px + camera.fx_px * centre[0] * near),
-          static_cast<float>(camera.cy_px + camera.fy_px * centre[1] * near),
-          static_cast<float>(model.radius * camera.fx_px * near)};
-}
-
-bool share_place(const Place& a, const Place& b, bool same_object) {
-  const float dx = a.x - b.x, dy = a.y - b.y;
-  const float reach =
-      (same_object ? kSameObjectShare : kPlaceShare) * std::max(a.radius_px, b.radius_px);
-  return dx * dx + dy * dy < reach * reach;
-}
-
-Box box_around(const Place& place) {
+Box box_around(const PictureDisc& place) {
   const int side = static_cast<int>(2 * place.radius_px) + 8;
   return {static_cast<int>(place.x) - side / 2, static_cast<int>(place.y) - side / 2, side, side};
 }
@@ -116,23 +95,21 @@ void SceneSearch::draw_starts(const SeenScene& scene, std::size_t index_place) {
   }
 }
 
+PictureDisc SceneSearch::place_of(const SeenScene& scene, const SceneObject& object) const {
+  return disc_of(indexes_[object.index].model, object.refined.pose, scene.cameras[object.index]);
+}
+
 bool SceneSearch::is_in_place_of(const SeenScene& scene, const SceneObject& object,
                                  const Drawn& drawn) const {
-  return share_place(
-      place_of(indexes_[object.index].model, object.refined.pose, scene.cameras[object.index]),
-      place_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]), false);
+  return share_place(place_of(scene, object),
+                     disc_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]));
 }
 
 // By an object that is there beyond doubt, or by several that were tried.
 bool SceneSearch::is_taken(const SeenScene& scene, const Drawn& drawn) const {
-  const Place place = place_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]);
   std::size_t tried = 0;
   for (const SceneObject& other : std::span<const SceneObject>(found_).first(found_count_)) {
-    if (!share_place(
-            place,
-            place_of(indexes_[other.index].model, other.refined.pose, scene.cameras[other.index]),
-            false))
-      continue;
+    if (!is_in_place_of(scene, other, drawn)) continue;
     if (other.agreement.margin >= kSureMargin || ++tried >= kMostInPlace) return true;
   }
   return false;
@@ -142,7 +119,8 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
   const ClassIndex& index = indexes_[drawn.index];
   const CameraModel& camera = scene.cameras[drawn.index];
   seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
-  const Place place = place_of(index.model, drawn.pose, camera);
+  const PictureDisc place = disc_of(index.model, drawn.pose, camera);
+  const auto radius_px = static_cast<float>(place.radius_px);
   constexpr float kLeastReach_px = 5;
   // Where the object shows many borders side by side, the nearer ones are the right ones.
   constexpr std::array<float, 2> kReach{0.2F, 0.06F};
@@ -155,8 +133,8 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
     object.roll_rad = drawn.roll_rad;
     const RigidPose& from = is_drawn && best.agreement.margin >= 0 ? best.refined.pose : drawn.pose;
     object.refined = refine_pose(index.model, camera, seen_colours_, box_around(place), from,
-                                 kRounds, std::max(kLeastReach_px, reach * place.radius_px),
-                                 scratch_, Behind::anything, {kRoundCells});
+                                 kRounds, std::max(kLeastReach_px, reach * radius_px), scratch_,
+                                 Behind::anything, {kRoundCells});
     if (!scratch_.drawing.draw_alone(index.model, object.refined.pose, camera, scene.width_px,
                                      scene.height_px, kFinalCells))
       continue;
@@ -214,13 +192,9 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   });
   std::size_t kept = 0;
   for (const SceneObject& object : found) {
-    const Place place =
-        place_of(indexes_[object.index].model, object.refined.pose, scene.cameras[object.index]);
     const auto is_there = [&](const SceneObject& other) {
-      return share_place(
-          place,
-          place_of(indexes_[other.index].model, other.refined.pose, scene.cameras[other.index]),
-          other.index == object.index);
+      return share_place(place_of(scene, object), place_of(scene, other),
+                         other.index == object.index ? kSameObjectShare : kPlaceShare);
     };
     if (std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), is_there))
       continue;

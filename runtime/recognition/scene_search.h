@@ -10,6 +10,7 @@
 #include "runtime/recognition/camera_model.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/left_undone.h"
+#include "runtime/recognition/picture_disc.h"
 #include "runtime/recognition/pose_finder.h"
 #include "runtime/recognition/scene_agreement.h"
 #include "runtime/recognition/scene_starts.h"
@@ -70,6 +71,7 @@ class SceneSearch {
   void look_for(const SeenScene& scene, std::size_t index_place);
   bool draw(const SeenScene& scene, Drawn& drawn);
   void draw_starts(const SeenScene& scene, std::size_t index_place);
+  PictureDisc place_of(const SeenScene& scene, const SceneObject& object) const;
   bool is_in_place_of(const SeenScene& scene, const SceneObject& object, const Drawn& drawn) const;
   bool is_taken(const SeenScene& scene, const Drawn& drawn) const;
   void refine(const SeenScene& scene, const Drawn& drawn);
