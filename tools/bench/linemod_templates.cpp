@@ -2,11 +2,11 @@
 // objects", PAMI 2012, and "Model based training, detection and pose estimation of texture-less 3D
 // objects in heavily cluttered scenes", ACCV 2012: a template a view, turn and distance; the best
 // match at a place is the object, and its template's pose the pose.
-// OpenCV's has no more than this; the second paper then tests hues (its section 3.3), which is here
-// because gradients cannot tell objects of one shape apart.
+// OpenCV's has no more than this. The second paper checks what it found by colour, which is here
+// too, by hue, because gradients cannot tell objects of one shape apart; its figures are ours.
 // Where we deviate: no depth, and so neither its test nor the refinement of the pose on it.
-// Weak side: a view is rendered once a distance and turned as a picture, so that its edges are
-// interpolated twice at most.
+// Weak side: places are as coarse as the spread of the finest level, and of equally good ones the
+// upper left is taken; a view is rendered once a distance and turned as a picture.
 #include "tools/bench/linemod_templates.h"
 
 #include <Eigen/Geometry>
@@ -57,29 +57,33 @@ Studio studio_at(const Scene& scene, const Intrinsics& lens, double distance) {
   return studio;
 }
 
-// Black and white as blue and yellow, as in the second paper.
+constexpr std::uint8_t kNoHue = 255;  // of what is about black, grey or white
+
 cv::Mat hues_of(const cv::Mat& picture, int conversion) {
-  constexpr int kBlack = 30, kGrey = 30, kBlue = 120, kYellow = 30;
+  constexpr int kLeastValue = 30, kLeastSaturation = 30;
   cv::Mat hsv;
   cv::cvtColor(picture, hsv, conversion);
   cv::Mat hues(picture.size(), CV_8U);
   for (int y = 0; y < hsv.rows; ++y)
     for (int x = 0; x < hsv.cols; ++x) {
       const auto& [hue, saturation, value] = hsv.at<cv::Vec3b>(y, x).val;
-      hues.at<std::uint8_t>(y, x) = value < kBlack ? kBlue : saturation < kGrey ? kYellow : hue;
+      const bool has_hue = value >= kLeastValue && saturation >= kLeastSaturation;
+      hues.at<std::uint8_t>(y, x) = has_hue ? hue : kNoHue;
     }
   return hues;
 }
 
 // So many of the object's pixels, evenly from all.
-std::vector<LinemodHue> sampled_hues(const cv::Mat& rgb, const cv::Mat& mask, cv::Point place) {
+std::vector<LinemodHue> sampled_hues(const cv::Mat& rgb, const cv::Mat& mask,
+                                     const cv::Rect& silhouette, cv::Point place) {
   constexpr std::size_t kSamples = 100;
-  const cv::Mat hues = hues_of(rgb, cv::COLOR_RGB2HSV);
+  const cv::Mat hues = hues_of(rgb(silhouette), cv::COLOR_RGB2HSV);
   std::vector<cv::Point> pixels;
-  cv::findNonZero(mask, pixels);
+  cv::findNonZero(mask(silhouette), pixels);
   std::vector<LinemodHue> samples;
   for (std::size_t k = 0; k < kSamples; ++k) {
-    const cv::Point pixel = pixels[k * pixels.size() / kSamples], from_match = pixel - place;
+    const cv::Point pixel = pixels[k * pixels.size() / kSamples];
+    const cv::Point from_match = pixel + silhouette.tl() - place;
     samples.push_back({static_cast<std::int16_t>(from_match.x),
                        static_cast<std::int16_t>(from_match.y), hues.at<std::uint8_t>(pixel)});
   }
@@ -104,13 +108,17 @@ void add_turns(const Picture& picture, const Camera& camera, double distance,
     cv::Mat turned_rgb, turned_mask;
     cv::warpAffine(rgb, turned_rgb, turned, size, cv::INTER_LINEAR);
     cv::warpAffine(mask, turned_mask, turned, size, cv::INTER_NEAREST);
+    // No more than blurred borders need.
+    const cv::Rect whole({}, size), silhouette = cv::boundingRect(turned_mask);
+    const cv::Rect around = (silhouette + cv::Size(16, 16) - cv::Point(8, 8)) & whole;
     cv::Rect features;
-    if (detector.addTemplate({turned_rgb}, name, turned_mask, &features) < 0) continue;
-    const cv::Point2d place = features.tl();
+    if (detector.addTemplate({turned_rgb(around)}, name, turned_mask(around), &features) < 0)
+      continue;
+    const cv::Point place = around.tl() + features.tl();
     views.push_back({Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
                          camera.camera_from_object,
-                     distance, centre - place, cv::boundingRect(turned_mask) - features.tl(),
-                     sampled_hues(turned_rgb, turned_mask, features.tl())});
+                     distance, centre - cv::Point2d(place), silhouette - place,
+                     sampled_hues(turned_rgb, turned_mask, silhouette, place)});
   }
 }
 
@@ -144,16 +152,21 @@ LinemodObject object_of(const cv::linemod::Match& match, const LinemodView& view
           towards * view.camera_from_object, view.distance * ray};
 }
 
-// The paper's share of pixels; how far hues may be off is not in it.
+bool are_alike(int hue, int other) {
+  constexpr int kMostOff = 10;  // half degrees; red and orange are 13 apart
+  if (hue == kNoHue || other == kNoHue) return hue == other;
+  const int off = std::abs(hue - other);
+  return std::min(off, 180 - off) <= kMostOff;
+}
+
 bool has_colours(const cv::Mat& hues, const cv::linemod::Match& match, const LinemodView& view) {
-  constexpr double kLeastShare = 0.7;
-  constexpr int kMostOff = 10;  // half degrees
+  constexpr double kLeastShare = 0.7;  // views lie up to 10 degrees from the next template's
   int right = 0;
   for (const LinemodHue& sample : view.hues) {
     const cv::Point pixel(match.x + sample.x_px, match.y + sample.y_px);
-    if (!cv::Rect({}, hues.size()).contains(pixel)) continue;
-    const int off = std::abs(hues.at<std::uint8_t>(pixel) - sample.hue);
-    right += std::min(off, 180 - off) <= kMostOff ? 1 : 0;
+    if (cv::Rect({}, hues.size()).contains(pixel) &&
+        are_alike(hues.at<std::uint8_t>(pixel), sample.hue))
+      ++right;
   }
   return right >= kLeastShare * static_cast<double>(view.hues.size());
 }
