@@ -14,7 +14,7 @@ WIDTH, HEIGHT = 640, 480
 PLANES = {"single": 1, "multi": 2}  # as vivid's parameter multiplanar counts
 # Periods of a 60th of a second that each picture stands: longer than the slowest build takes for a
 # frame, so that aspectd, which takes the newest one, sees them all.
-HOLD = 6
+HOLD = 8
 READY_MS = 100
 PEAK_KIB = 8 * 1024
 
