@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "compiler/scene/scene_reader.h"
+#include "tools/bench/camera_table.h"
 #include "tools/bench/linemod_templates.h"
 
 namespace aspect {
@@ -37,14 +38,7 @@ struct Options {
 };
 
 Intrinsics read_lens(const fs::path& file) {
-  std::map<std::string, double> values;
-  std::ifstream in(file);
-  std::string key, equals;
-  for (std::string line; std::getline(in, line);) {
-    std::stringstream words(line);
-    double value = 0;
-    if (words >> key >> equals >> value) values[key] = value;
-  }
+  const std::map<std::string, double> values = camera_table(file.native());
   Intrinsics lens;
   lens.width_px = static_cast<int>(values.at("width"));
   lens.height_px = static_cast<int>(values.at("height"));

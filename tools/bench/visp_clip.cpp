@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/camera_table.h"
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -51,14 +53,7 @@ Truth read_truth(const std::string& file) {
 }
 
 vpCameraParameters read_camera(const std::string& file) {
-  std::map<std::string, double> values;
-  std::ifstream in(file);
-  std::string key, equals;
-  for (std::string line; std::getline(in, line);) {
-    std::stringstream words(line);
-    double value = 0;
-    if (words >> key >> equals >> value) values[key] = value;
-  }
+  std::map<std::string, double> values = aspect::camera_table(file);
   vpCameraParameters camera;
   camera.initPersProjWithoutDistortion(values["fx"], values["fy"], values["cx"], values["cy"]);
   return camera;
