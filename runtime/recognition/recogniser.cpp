@@ -55,18 +55,18 @@ float probability_of(const SceneAgreement& agreement) {
       1 / (1 + portable_exp(-kLogOddsOfMargin * static_cast<double>(agreement.margin))));
 }
 
-// What is all of a blob should have been found as an object that stands alone; where it was not,
+// What is most of a blob should have been found as an object that stands alone; where it was not,
 // because it is small, blurred or cut, the drawing must agree the better.
 bool is_doubtful(const SceneAgreement& agreement, const Box& blob) {
-  constexpr float kLeastScore = 0.85F, kLeastOfTwo = 0.9F, kAllOfIt = 0.5F;
+  constexpr float kLeastScore = 0.85F, kLeastOfTwo = 0.9F, kMostOfIt = 0.5F;
   const Box& box = agreement.box;
   const int width = std::min(box.x + box.width, blob.x + blob.width) - std::max(box.x, blob.x),
             height = std::min(box.y + box.height, blob.y + blob.height) - std::max(box.y, blob.y);
   const float least = agreement.colours <= 2 ? kLeastOfTwo : kLeastScore;
   if (agreement.score >= least || width <= 0 || height <= 0) return false;
   const auto shared = static_cast<float>(width * height);
-  return shared > kAllOfIt * (static_cast<float>(box.width * box.height) +
-                              static_cast<float>(blob.width * blob.height) - shared);
+  return shared > kMostOfIt * (static_cast<float>(box.width * box.height) +
+                               static_cast<float>(blob.width * blob.height) - shared);
 }
 
 CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& index,
@@ -271,6 +271,13 @@ std::size_t Recogniser::add_found(const SceneObject& found, std::size_t blob, st
   if (objects == objects_.size() || hypothesis_count_ == hypotheses_.size() ||
       pose_count_ == poses_.size())
     return objects;
+  objects_[objects] = drawn_match(found, probability_of(found.agreement), blob);
+  pose_search_.settle(hypotheses_[hypothesis_count_ - 1], poses_[pose_count_ - 1]);
+  return objects + 1;
+}
+
+// What was found by drawing it; its view and class are still to be named.
+SeenObject Recogniser::drawn_match(const SceneObject& found, float probability, std::size_t blob) {
   VerifiedPose& pose = poses_[pose_count_++];
   pose.refined = found.refined;
   pose.agreement = {found.agreement.score, found.agreement.score};
@@ -281,13 +288,11 @@ std::size_t Recogniser::add_found(const SceneObject& found, std::size_t blob, st
   hypothesis.matched = found.agreement.colours;
   hypothesis.roll_rad = found.roll_rad;
   hypothesis.pose = &pose;
-  pose_search_.settle(hypothesis, pose);
   Judgement judgement;
   judgement.verdict = Verdict::match;
-  judgement.probability = probability_of(found.agreement);
-  objects_[objects] = {found.agreement.box, found.agreement.colours, judgement,
-                       hypotheses_.subspan(hypothesis_count_ - 1, 1), blob};
-  return objects + 1;
+  judgement.probability = probability;
+  return {found.agreement.box, found.agreement.colours, judgement,
+          hypotheses_.subspan(hypothesis_count_ - 1, 1), blob};
 }
 
 // What is found in blobs that are no object takes their place in the list; returns how many objects

@@ -128,6 +128,7 @@ class Recogniser {
   std::size_t join_tracks(std::size_t objects);
   std::size_t add_tracks(std::size_t objects);
   SeenObject seen_track(const Track& track);
+  SeenObject drawn_match(const SceneObject& found, float probability, std::size_t blob);
   std::size_t blob_at(const Box& box) const;
   SeenObject recognise_blob(const Frame& frame, const ViewGraph& graph, std::size_t blob_place);
   std::size_t shortlist(std::span<const ContourFeature> features);

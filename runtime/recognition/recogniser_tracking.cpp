@@ -116,26 +116,13 @@ std::size_t Recogniser::add_tracks(std::size_t objects) {
 }
 
 SeenObject Recogniser::seen_track(const Track& track) {
-  VerifiedPose& pose = poses_[pose_count_++];
-  pose.refined = track.refined;
-  pose.agreement = {track.agreement.score, track.agreement.score};
-  Hypothesis& hypothesis = hypotheses_[hypothesis_count_++];
-  hypothesis = {};
-  hypothesis.index = track.index;
-  hypothesis.score = static_cast<double>(track.agreement.score);
-  hypothesis.matched = track.agreement.colours;
+  SeenObject object = drawn_match({track.index, 0, 0, track.refined, track.agreement},
+                                  track.probability, blob_at(track.agreement.box));
+  Hypothesis& hypothesis = hypotheses_[hypothesis_count_ - 1];
   hypothesis.start.light = track.light;
-  hypothesis.pose = &pose;
-  pose_search_.name(hypothesis, pose);
-  Judgement judgement;
-  judgement.verdict = Verdict::match;
-  judgement.probability = track.probability;
-  return {track.agreement.box,
-          track.agreement.colours,
-          judgement,
-          hypotheses_.subspan(hypothesis_count_ - 1, 1),
-          blob_at(track.agreement.box),
-          track.number};
+  pose_search_.name(hypothesis, *hypothesis.pose);
+  object.track = track.number;
+  return object;
 }
 
 }  // namespace aspect

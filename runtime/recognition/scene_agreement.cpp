@@ -76,12 +76,12 @@ SceneAgreement scene_agreement(const ModelDrawing& drawing, const CameraModel& c
             y <= static_cast<float>(height_px - 1)) ||
           seen.is_hidden(x, y))
         continue;
+      const std::uint16_t label = seen.label_at(x, y);
       if (is_black) {
-        ++of_black[seen.label_at(x, y)];
+        ++of_black[label];
         continue;
       }
       const ColourClass wanted = cell.covered ? cell.colour : beside;
-      const std::uint16_t label = seen.label_at(x, y);
       const ColourClass of_region = seen.of_label(label);
       const ColourClass of_pixel = of_region == wanted ? wanted : seen.at_pixel(x, y);
       const bool is_seen = of_pixel == wanted && !of_others[label];

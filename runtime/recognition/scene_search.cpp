@@ -99,17 +99,16 @@ PictureDisc SceneSearch::place_of(const SeenScene& scene, const SceneObject& obj
   return disc_of(indexes_[object.index].model, object.refined.pose, scene.cameras[object.index]);
 }
 
-bool SceneSearch::is_in_place_of(const SeenScene& scene, const SceneObject& object,
-                                 const Drawn& drawn) const {
-  return share_place(place_of(scene, object),
-                     disc_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]));
+PictureDisc SceneSearch::place_of(const SeenScene& scene, const Drawn& drawn) const {
+  return disc_of(indexes_[drawn.index].model, drawn.pose, scene.cameras[drawn.index]);
 }
 
 // By an object that is there beyond doubt, or by several that were tried.
 bool SceneSearch::is_taken(const SeenScene& scene, const Drawn& drawn) const {
+  const PictureDisc place = place_of(scene, drawn);
   std::size_t tried = 0;
   for (const SceneObject& other : std::span<const SceneObject>(found_).first(found_count_)) {
-    if (!is_in_place_of(scene, other, drawn)) continue;
+    if (!share_place(place, place_of(scene, other))) continue;
     if (other.agreement.margin >= kSureMargin || ++tried >= kMostInPlace) return true;
   }
   return false;
@@ -118,8 +117,8 @@ bool SceneSearch::is_taken(const SeenScene& scene, const Drawn& drawn) const {
 void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
   const ClassIndex& index = indexes_[drawn.index];
   const CameraModel& camera = scene.cameras[drawn.index];
-  seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
-  const PictureDisc place = disc_of(index.model, drawn.pose, camera);
+  look_for(scene, drawn.index);
+  const PictureDisc place = place_of(scene, drawn);
   const auto radius_px = static_cast<float>(place.radius_px);
   constexpr float kLeastReach_px = 5;
   // Where the object shows many borders side by side, the nearer ones are the right ones.
@@ -135,11 +134,7 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
     object.refined = refine_pose(index.model, camera, seen_colours_, box_around(place), from,
                                  kRounds, std::max(kLeastReach_px, reach * radius_px), scratch_,
                                  Behind::anything, {kRoundCells});
-    if (!scratch_.drawing.draw_alone(index.model, object.refined.pose, camera, scene.width_px,
-                                     scene.height_px, kFinalCells))
-      continue;
-    object.agreement = scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px,
-                                       scene.height_px, object.refined.borders_met, of_others_);
+    if (!compare(scene, object)) continue;
     if (!is_drawn || object.agreement.margin > best.agreement.margin) best = object;
     is_drawn = true;
     const bool is_there = best.agreement.margin >= 0;
@@ -148,18 +143,22 @@ void SceneSearch::refine(const SeenScene& scene, const Drawn& drawn) {
   if (is_drawn) ++found_count_;
 }
 
-// Without what stronger objects have explained; false where too little is left.
-bool SceneSearch::score_again(const SeenScene& scene, SceneObject& object) {
-  if (of_others_.none()) return true;
-  const ClassIndex& index = indexes_[object.index];
+// Where it was refined to, with the colours that were looked for; false: nothing of it is drawn.
+bool SceneSearch::compare(const SeenScene& scene, SceneObject& object) {
   const CameraModel& camera = scene.cameras[object.index];
-  seen_colours_.look(*scene.regions, *scene.colours, SeenColours::kAllBlobs, index.model, {});
-  if (!scratch_.drawing.draw_alone(index.model, object.refined.pose, camera, scene.width_px,
-                                   scene.height_px, kFinalCells))
+  if (!scratch_.drawing.draw_alone(indexes_[object.index].model, object.refined.pose, camera,
+                                   scene.width_px, scene.height_px, kFinalCells))
     return false;
   object.agreement = scene_agreement(scratch_.drawing, camera, seen_colours_, scene.width_px,
                                      scene.height_px, object.refined.borders_met, of_others_);
-  return object.agreement.margin >= 0;
+  return true;
+}
+
+// Without what stronger objects have explained; false where too little is left.
+bool SceneSearch::score_again(const SeenScene& scene, SceneObject& object) {
+  if (of_others_.none()) return true;
+  look_for(scene, object.index);
+  return compare(scene, object) && object.agreement.margin >= 0;
 }
 
 std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
@@ -192,8 +191,9 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   });
   std::size_t kept = 0;
   for (const SceneObject& object : found) {
+    const PictureDisc place = place_of(scene, object);
     const auto is_there = [&](const SceneObject& other) {
-      return share_place(place_of(scene, object), place_of(scene, other),
+      return share_place(place, place_of(scene, other),
                          other.index == object.index ? kSameObjectShare : kPlaceShare);
     };
     if (std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), is_there))

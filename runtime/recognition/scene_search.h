@@ -72,9 +72,10 @@ class SceneSearch {
   bool draw(const SeenScene& scene, Drawn& drawn);
   void draw_starts(const SeenScene& scene, std::size_t index_place);
   PictureDisc place_of(const SeenScene& scene, const SceneObject& object) const;
-  bool is_in_place_of(const SeenScene& scene, const SceneObject& object, const Drawn& drawn) const;
+  PictureDisc place_of(const SeenScene& scene, const Drawn& drawn) const;
   bool is_taken(const SeenScene& scene, const Drawn& drawn) const;
   void refine(const SeenScene& scene, const Drawn& drawn);
+  bool compare(const SeenScene& scene, SceneObject& object);
   bool score_again(const SeenScene& scene, SceneObject& object);
 
   void draw_in_time(const SeenScene& scene);

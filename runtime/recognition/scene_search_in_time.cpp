@@ -20,20 +20,14 @@ constexpr float kLikely = -0.1F;
 
 void SceneSearch::gather_starts(const SeenScene& scene) {
   waiting_count_ = 0;
-  const auto leave = [&] { ++left_undone_.indexes; };
   if (!scene.deadline.is_over()) starts_.see(scene);
   for (std::size_t i = 0; i < indexes_.size(); ++i) {
     if (indexes_[i].model.empty()) continue;
-    if (scene.deadline.is_over()) {
-      leave();
-      continue;
-    }
-    for (const SceneStart& start : starts_.run(scene, i)) {
-      if (start.explained < kWorth) continue;
-      Waiting& waiting = waiting_[waiting_count_++];
-      waiting = {start, laid(scene, i, start, 0)};
-    }
-    if (scene.deadline.is_over()) leave();
+    if (!scene.deadline.is_over())
+      for (const SceneStart& start : starts_.run(scene, i))
+        if (start.explained >= kWorth)
+          waiting_[waiting_count_++] = {start, laid(scene, i, start, 0)};
+    if (scene.deadline.is_over()) ++left_undone_.indexes;
   }
 }
 
@@ -97,8 +91,9 @@ void SceneSearch::refine_in_time(const SeenScene& scene, Drawn& drawn) {
 // not even drawn explains less.
 void SceneSearch::drop_unsettled(const SeenScene& scene) {
   const auto is_unsettled = [&](const SceneObject& object) {
+    const PictureDisc place = place_of(scene, object);
     const auto is_rival = [&](const Drawn& drawn) {
-      return drawn.is_left && drawn.margin >= kLikely && is_in_place_of(scene, object, drawn);
+      return drawn.is_left && drawn.margin >= kLikely && share_place(place, place_of(scene, drawn));
     };
     const auto drawn = std::span(drawn_).first(drawn_count_);
     return object.agreement.margin < kSureMargin &&

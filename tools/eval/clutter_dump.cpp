@@ -59,8 +59,7 @@ std::optional<Error> ClutterDump::add(const std::string& object, std::size_t num
 }
 
 std::optional<Error> ClutterDump::finish() const {
-  const auto* first = reinterpret_cast<const std::uint8_t*>(truth_.data());
-  const auto done = write_whole_file(folder_ / "truth.csv", {first, truth_.size()});
+  const auto done = write_whole_text(folder_ / "truth.csv", truth_);
   return done ? std::nullopt : std::optional(Error{done.error()});
 }
 

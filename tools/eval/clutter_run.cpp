@@ -68,9 +68,7 @@ void run_clutter(std::span<const EvaluatedObject> objects, const EvalOptions& op
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     console.fail("standard output: cannot be written; check where it goes");
   if (options.recall.empty()) return;
-  const std::string svg = recall_svg(evaluation);
-  const auto* first = reinterpret_cast<const std::uint8_t*>(svg.data());
-  if (const auto done = write_whole_file(options.recall, {first, svg.size()}); !done)
+  if (const auto done = write_whole_text(options.recall, recall_svg(evaluation)); !done)
     console.fail(done.error());
 }
 

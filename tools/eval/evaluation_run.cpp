@@ -85,9 +85,7 @@ std::vector<EvaluatedObject> load_objects(std::vector<NamedIndex> indexes,
 
 void write_plot(const Evaluation& evaluation, const std::filesystem::path& file, Console& console) {
   const std::string svg = reliability_svg(overall_reliability(evaluation));
-  const auto* first = reinterpret_cast<const std::uint8_t*>(svg.data());
-  if (const auto done = write_whole_file(file, {first, svg.size()}); !done)
-    console.fail(done.error());
+  if (const auto done = write_whole_text(file, svg); !done) console.fail(done.error());
 }
 
 }  // namespace

@@ -35,6 +35,15 @@ std::set<std::size_t> faces_of_pair(const FaceConfusion& pair) {
   return {pair.face, pair.taken_for};
 }
 
+// A level that takes no time, at which every patch is uniform.
+CompileOptions coarse_options() {
+  CompileOptions options;
+  options.level = options.min_level = 1;
+  options.threshold = options.cluster_threshold = 1e9;
+  options.small_cluster_fraction = 0;
+  return options;
+}
+
 }  // namespace
 
 TEST_CASE("a cube of six colours is not confused") {
@@ -122,10 +131,7 @@ TEST_CASE("the explanation is printed in words and as JSON, the same each time")
 TEST_CASE("colours that are common in the backgrounds are told of, with better ones") {
   const TemporaryFolder folder;
   const Scene scene = block_scene(kCube, {0, 1, 2, 3, 4, 5});
-  CompileOptions options;
-  options.level = options.min_level = 1;
-  options.threshold = options.cluster_threshold = 1e9;
-  options.small_cluster_fraction = 0;
+  CompileOptions options = coarse_options();
   ExplainSettings settings;
   settings.views = 5;
   settings.backgrounds = folder.path();
@@ -160,10 +166,7 @@ TEST_CASE("colours that are common in the backgrounds are told of, with better o
 TEST_CASE("of a mesh in very many colours the cure is to merge them, to as many as it has paints") {
   Scene scene = scene_of_mesh(shaded_ball()).value();
   scene.file = "ball.ply";
-  CompileOptions options;
-  options.level = options.min_level = 1;
-  options.threshold = options.cluster_threshold = 1e9;
-  options.small_cluster_fraction = 0;
+  const CompileOptions options = coarse_options();
   ExplainSettings settings;
   settings.views = 10;
   const TemporaryFolder folder;

@@ -142,9 +142,7 @@ void print_summary(const fs::path& file, const CompileStatistics& s) {
 Result<Done> write_statistics(const std::string& file, const std::vector<CompileStatistics>& all,
                               bool is_list) {
   if (file.empty()) return Done{};
-  const std::string json = statistics_json(all, is_list);
-  const auto* first = reinterpret_cast<const std::uint8_t*>(json.data());
-  return write_whole_file(file, {first, json.size()});
+  return write_whole_text(file, statistics_json(all, is_list));
 }
 
 // Without it the next run compiles again: no reason to fail after hours of work.
@@ -156,9 +154,7 @@ void keep_record(const PreparedIndex& index, const std::vector<std::uint8_t>& by
     record.objects.push_back(*part.record);
     record.objects.back().warnings = part.warnings;
   }
-  const std::string lines = record_text(record);
-  const auto* first = reinterpret_cast<const std::uint8_t*>(lines.data());
-  if (auto done = write_whole_file(record_file_of(index.output), {first, lines.size()}); !done)
+  if (auto done = write_whole_text(record_file_of(index.output), record_text(record)); !done)
     print_warning(done.error());
 }
 

@@ -45,8 +45,7 @@ int run_convert(const ConvertCommand& command) {
     fmt::print(stderr, "aspectc: warning: {}; --missing-colour stands for it\n", line_of(missing));
   const Result<std::string> text = write_bob(scene.value());
   if (!text) return fail(text.error());
-  const auto* first = reinterpret_cast<const std::uint8_t*>(text.value().data());
-  const Result<Done> done = write_whole_file(command.output, {first, text.value().size()});
+  const Result<Done> done = write_whole_text(command.output, text.value());
   return done ? 0 : fail(done.error());
 }
 

@@ -95,8 +95,7 @@ Result<FixReport> fix(const PreparedObject& object, const DoctorCommand& command
   if (!repaired) return Error{repaired.error()};
   const Result<std::string> text = text_of(repaired.value(), command);
   if (!text) return Error{text.error()};
-  const auto* first = reinterpret_cast<const std::uint8_t*>(text.value().data());
-  const Result<Done> done = write_whole_file(command.fix, {first, text.value().size()});
+  const Result<Done> done = write_whole_text(command.fix, text.value());
   if (!done) return Error{done.error()};
   const Result<PreparedObject> written = written_object(object, command.fix);
   if (!written) return Error{written.error()};

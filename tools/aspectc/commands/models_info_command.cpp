@@ -30,8 +30,7 @@ int run_models_info(const ModelsInfoCommand& command) {
     fmt::print("{}", json);
     return 0;
   }
-  const auto* first = reinterpret_cast<const std::uint8_t*>(json.data());
-  const Result<Done> done = write_whole_file(command.output, {first, json.size()});
+  const Result<Done> done = write_whole_text(command.output, json);
   return done ? 0 : fail(done.error());
 }
 

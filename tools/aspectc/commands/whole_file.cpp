@@ -70,4 +70,8 @@ Result<Done> write_whole_file(const std::filesystem::path& file,
   return Done{};
 }
 
+Result<Done> write_whole_text(const std::filesystem::path& file, std::string_view text) {
+  return write_whole_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 }  // namespace aspect
