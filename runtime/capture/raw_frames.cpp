@@ -20,12 +20,14 @@ struct NamedFormat {
 };
 
 // Linux, Documentation/userspace-api/media/v4l/pixfmt*.rst
-constexpr std::array<NamedFormat, 11> kFormats = {{{"YUYV", PixelFormat::yuyv8},
+constexpr std::array<NamedFormat, 13> kFormats = {{{"YUYV", PixelFormat::yuyv8},
                                                    {"UYVY", PixelFormat::uyvy8},
                                                    {"NV12", PixelFormat::nv12},
                                                    {"NV21", PixelFormat::nv21},
                                                    {"RGB3", PixelFormat::rgb8},
                                                    {"BGR3", PixelFormat::bgr8},
+                                                   {"XB24", PixelFormat::rgbx8},
+                                                   {"XR24", PixelFormat::bgrx8},
                                                    {"GREY", PixelFormat::grey8},
                                                    {"RGGB", PixelFormat::bayer_rggb8},
                                                    {"GRBG", PixelFormat::bayer_grbg8},

@@ -67,8 +67,10 @@ std::array<std::uint8_t, 3> preview_rgb(const Frame& frame, int x, int y) noexce
   std::uint16_t wide = 0;
   switch (frame.format) {
     case PixelFormat::rgb8:
+    case PixelFormat::rgbx8:
       return {at[0], at[1], at[2]};
     case PixelFormat::bgr8:
+    case PixelFormat::bgrx8:
       return {at[2], at[1], at[0]};
     case PixelFormat::grey8:
       return grey(at[0]);

@@ -71,20 +71,26 @@ void add_index(const fs::path& file, ClassIndex index, IndexSet& set) {
 
 }  // namespace
 
+void add_indexes(const fs::path& name, std::vector<ClassIndex> indexes, IndexSet& set) {
+  for (ClassIndex& index : indexes) add_index(name, std::move(index), set);
+}
+
+void load_indexes(const fs::path& file, IndexSet& set) {
+  if (is_among(file, set.files)) {
+    set.failures.push_back(file.native() + ": given twice; leave one out");
+    return;
+  }
+  Result<std::vector<ClassIndex>> indexes = load_index_file(file);
+  if (!indexes) {
+    set.failures.push_back(indexes.error());
+    return;
+  }
+  add_indexes(file, std::move(indexes).value(), set);
+}
+
 IndexSet load_indexes(std::span<const fs::path> files) {
   IndexSet set;
-  for (const fs::path& file : files) {
-    if (is_among(file, set.files)) {
-      set.failures.push_back(file.native() + ": given twice as --index; leave one out");
-      continue;
-    }
-    Result<std::vector<ClassIndex>> indexes = load_index_file(file);
-    if (!indexes) {
-      set.failures.push_back(indexes.error());
-      continue;
-    }
-    for (ClassIndex& index : indexes.value()) add_index(file, std::move(index), set);
-  }
+  for (const fs::path& file : files) load_indexes(file, set);
   return set;
 }
 

@@ -22,4 +22,9 @@ struct IndexSet {
 // sensor than the first.
 IndexSet load_indexes(std::span<const std::filesystem::path> files);
 
+// What `name` holds, on top of what is there.
+void add_indexes(const std::filesystem::path& name, std::vector<ClassIndex> indexes, IndexSet& set);
+// Of a file.
+void load_indexes(const std::filesystem::path& file, IndexSet& set);
+
 }  // namespace aspect

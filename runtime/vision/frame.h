@@ -9,6 +9,8 @@ namespace aspect {
 enum class PixelFormat : std::uint8_t {
   rgb8,     // 8 bits a channel, interleaved
   bgr8,     // the same, blue first
+  rgbx8,    // 32 bits a pixel, of which the fourth byte is not looked at
+  bgrx8,    // the same, blue first
   grey8,    // one channel of 8 bits
   depth16,  // distance along the camera's z axis in steps of a fixed length; 16 bits, the machine's
             // byte order; 0 and 65535: nothing measured
@@ -37,6 +39,9 @@ constexpr int bytes_per_pixel(PixelFormat format) {
     case PixelFormat::rgb8:
     case PixelFormat::bgr8:
       return 3;
+    case PixelFormat::rgbx8:
+    case PixelFormat::bgrx8:
+      return 4;
     case PixelFormat::grey8:
     case PixelFormat::nv12:
     case PixelFormat::nv21:

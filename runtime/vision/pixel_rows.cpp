@@ -23,12 +23,13 @@ bool any_at_least(const Byte* bytes, int count, Byte least) {
   return false;
 }
 
+template <int kBytes>
 void split_row(const Byte* pixel, int count, Byte* __restrict first, Byte* __restrict second,
                Byte* __restrict third) {
   for (int x = 0; x < count; ++x) {
-    first[x] = pixel[3 * x];
-    second[x] = pixel[3 * x + 1];
-    third[x] = pixel[3 * x + 2];
+    first[x] = pixel[kBytes * x];
+    second[x] = pixel[kBytes * x + 1];
+    third[x] = pixel[kBytes * x + 2];
   }
 }
 
@@ -58,14 +59,23 @@ YuvPairs PixelRows::pairs(int y) const {
 }
 
 void PixelRows::colours(int y, int x, int count, ColourRow out) const {
-  if (frame_.format == PixelFormat::rgb8)
-    return split_row(row(y) + 3 * x, count, out.red, out.green, out.blue);
-  if (frame_.format == PixelFormat::bgr8)
-    return split_row(row(y) + 3 * x, count, out.blue, out.green, out.red);
+  const Byte* const pixel = row(y) + x * bytes_per_pixel(frame_.format);
+  switch (frame_.format) {
+    case PixelFormat::rgb8:
+      return split_row<3>(pixel, count, out.red, out.green, out.blue);
+    case PixelFormat::bgr8:
+      return split_row<3>(pixel, count, out.blue, out.green, out.red);
+    case PixelFormat::rgbx8:
+      return split_row<4>(pixel, count, out.red, out.green, out.blue);
+    case PixelFormat::bgrx8:
+      return split_row<4>(pixel, count, out.blue, out.green, out.red);
+    default:
+      break;
+  }
   if (is_bayer(frame_.format)) return bayer_row(frame_, y, x, count, out.red, out.green, out.blue);
   if (is_yuv(frame_.format))
     return yuv_row(pairs(y), factors_, x, count, out.red, out.green, out.blue);
-  for (Byte* channel : {out.red, out.green, out.blue}) std::copy_n(row(y) + x, count, channel);
+  for (Byte* channel : {out.red, out.green, out.blue}) std::copy_n(pixel, count, channel);
 }
 
 void PixelRows::greys(int y, int x, int count, Byte* out) const {

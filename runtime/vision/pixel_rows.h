@@ -1,6 +1,6 @@
 // Parts of rows of a colour or grey frame in any of its formats as red, green and blue, exactly the
 // same on every machine and whatever part is asked for.
-//   rgb8, bgr8, grey8: as they are.
+//   rgb8, bgr8, rgbx8, bgrx8, grey8: as they are.
 //   yuyv8, uyvy8, nv12, nv21: the matrix of the frame's coding in whole numbers, at most 1 from the
 //     exact one; pixels of a pair, or of a square of four, have its chroma.
 //   bayer: what the filter leaves out is the rounded mean of the two or four nearest pixels that

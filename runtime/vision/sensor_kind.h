@@ -29,6 +29,8 @@ constexpr bool gives(SensorKind sensor, PixelFormat format) {
       return sensor == SensorKind::colour || sensor == SensorKind::grey;
     case PixelFormat::rgb8:
     case PixelFormat::bgr8:
+    case PixelFormat::rgbx8:
+    case PixelFormat::bgrx8:
     case PixelFormat::bayer_rggb8:
     case PixelFormat::bayer_grbg8:
     case PixelFormat::bayer_gbrg8:

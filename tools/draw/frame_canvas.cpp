@@ -48,13 +48,16 @@ cv::Mat ids_as_colours(const cv::Mat& ids) {
 
 cv::Mat recorded_picture(const Frame& frame) {
   const int channels = bytes_per_pixel(frame.format);
-  const int type = channels == 3 ? CV_8UC3 : channels == 2 ? CV_16UC1 : CV_8UC1;
+  const int type = channels == 2 ? CV_16UC1 : CV_8UC(channels);
   // OpenCV has no read-only view; the copy below is what gets drawn on.
   const cv::Mat view(frame.height_px, frame.width_px, type, const_cast<std::uint8_t*>(frame.data),
                      static_cast<std::size_t>(frame.stride_bytes));
   cv::Mat picture;
   if (frame.format == PixelFormat::rgb8)
     cv::cvtColor(view, picture, cv::COLOR_RGB2BGR);
+  else if (channels == 4)
+    cv::cvtColor(view, picture,
+                 frame.format == PixelFormat::rgbx8 ? cv::COLOR_RGBA2BGR : cv::COLOR_BGRA2BGR);
   else
     view.copyTo(picture);
   return picture;

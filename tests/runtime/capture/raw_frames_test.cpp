@@ -41,12 +41,14 @@ struct Sample {
   std::ptrdiff_t stride;  // of its first plane
 };
 
-const std::array<Sample, 10> kSamples = {{{"YUYV", PixelFormat::yuyv8, 48, 12},
+const std::array<Sample, 12> kSamples = {{{"YUYV", PixelFormat::yuyv8, 48, 12},
                                           {"UYVY", PixelFormat::uyvy8, 48, 12},
                                           {"NV12", PixelFormat::nv12, 36, 6},
                                           {"NV21", PixelFormat::nv21, 36, 6},
                                           {"RGB3", PixelFormat::rgb8, 72, 18},
                                           {"BGR3", PixelFormat::bgr8, 72, 18},
+                                          {"XB24", PixelFormat::rgbx8, 96, 24},
+                                          {"XR24", PixelFormat::bgrx8, 96, 24},
                                           {"RGGB", PixelFormat::bayer_rggb8, 24, 6},
                                           {"GRBG", PixelFormat::bayer_grbg8, 24, 6},
                                           {"GBRG", PixelFormat::bayer_gbrg8, 24, 6},

@@ -36,6 +36,8 @@ TEST_CASE("pure red is red in every format") {
   const std::vector<Made> all = {
       Made{PixelFormat::rgb8, {255, 0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0}},
       Made{PixelFormat::bgr8, {0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0, 255}},
+      Made{PixelFormat::rgbx8, {255, 0, 0, 9, 255, 0, 0, 9, 255, 0, 0, 9, 255, 0, 0, 9}},
+      Made{PixelFormat::bgrx8, {0, 0, 255, 9, 0, 0, 255, 9, 0, 0, 255, 9, 0, 0, 255, 9}},
       Made{PixelFormat::yuyv8, {81, 90, 81, 240, 81, 90, 81, 240}},
       Made{PixelFormat::uyvy8, {90, 81, 240, 81, 90, 81, 240, 81}},
       Made{PixelFormat::nv12, {81, 81, 81, 81}, {90, 240}},

@@ -200,9 +200,28 @@ TEST_CASE("a flat colour behind a Bayer filter is that colour up to the corners"
     }
 }
 
+TEST_CASE("pixels of 24 and of 32 bits are what OpenCV takes them for") {
+  std::mt19937 random(57);
+  const std::array<std::pair<PixelFormat, int>, 4> formats = {
+      {{PixelFormat::rgb8, -1},
+       {PixelFormat::bgr8, cv::COLOR_BGR2RGB},
+       {PixelFormat::rgbx8, cv::COLOR_RGBA2RGB},
+       {PixelFormat::bgrx8, cv::COLOR_BGRA2RGB}}};
+  for (const auto& [format, conversion] : formats) {
+    const NoiseFrame noise(random, format, 77, 13);
+    const cv::Mat view(13, 77, CV_8UC(bytes_per_pixel(format)),
+                       const_cast<std::uint8_t*>(noise.frame.data),
+                       static_cast<std::size_t>(noise.frame.stride_bytes));
+    cv::Mat expected = view.clone();
+    if (conversion >= 0) cv::cvtColor(view, expected, conversion);
+    CHECK(largest_difference(whole_picture(noise.frame), expected) == 0);
+  }
+}
+
 TEST_CASE("any part of a row is what it is in the whole row, and nothing beside it is written") {
   std::mt19937 random(55);
-  std::vector<PixelFormat> formats = {PixelFormat::rgb8, PixelFormat::bgr8};
+  std::vector<PixelFormat> formats = {PixelFormat::rgb8, PixelFormat::bgr8, PixelFormat::rgbx8,
+                                      PixelFormat::bgrx8};
   formats.insert(formats.end(), kYuvFormats.begin(), kYuvFormats.end());
   formats.insert(formats.end(), kBayerFormats.begin(), kBayerFormats.end());
   for (const PixelFormat format : formats)
