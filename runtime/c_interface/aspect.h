@@ -41,9 +41,9 @@ ASPECT_API const char* aspect_version(void);
 
 typedef enum aspect_status {
   ASPECT_OK = 0,
-  ASPECT_BAD_ARGUMENT = 1,   /* a null pointer, no pixels, or rows shorter than their pixels */
-  ASPECT_WRONG_SIZE = 2, /* sides of 1 to 8192 pixels, 16 million in all, even where pixels are in
-                            pairs */
+  ASPECT_BAD_ARGUMENT = 1, /* a null pointer, no pixels, or rows shorter than their pixels */
+  ASPECT_WRONG_SIZE = 2,   /* sides of 1 to 8192 pixels, 16 million in all, even where pixels are in
+                              pairs */
   ASPECT_WRONG_FORMAT =
       3, /* not a format, or of another sensor than the indexes were compiled for */
   ASPECT_NO_MEMORY = 4
