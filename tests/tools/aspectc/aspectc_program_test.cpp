@@ -293,6 +293,11 @@ TEST_CASE("inspect prints an index in words and as JSON, and refuses what is non
   CHECK(printed["bytes"] == index.file_bytes);
   CHECK(printed["classes"][0]["contours"].size() == index.classes[0].contours.count);
   CHECK(printed["classes"][0]["contours"][0]["name"] == "A");
+  // Patches that are divided along borders are covered as well.
+  double whole = 0;
+  for (const json& aspect : printed["classes"]) whole += aspect["area_fraction"].get<double>();
+  CHECK(printed["covered_fraction"] > whole);
+  CHECK(printed["covered_fraction"] <= 1.0);
   CHECK_THAT(here.run({"inspect", "part.aspect"}).out, Contains("object part"));
   check_fails(here.run({"inspect", "part.b"}), {"part.b", "not a class index"});
   check_fails(here.run({"inspect", "none.aspect"}), {"none.aspect"});

@@ -58,6 +58,20 @@ void print_golden_frame(const ClassIndex& index) {
              golden.class_id, golden.matched, golden.regions, golden.score);
 }
 
+// By directions that are spread evenly, to a hundredth of a percent.
+double covered_fraction(const ClassIndex& index) {
+  constexpr int kDirections = 20'000;
+  constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749979);
+  int covered = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double z = 1 - (2 * i + 1.0) / kDirections, radius = std::sqrt(1 - z * z);
+    const Vector3d direction{radius * std::cos(kGoldenAngle * i),
+                             radius * std::sin(kGoldenAngle * i), z};
+    covered += index.sphere_map.class_at(direction) == SphereMap::kNone ? 0 : 1;
+  }
+  return static_cast<double>(covered) / kDirections;
+}
+
 Json index_json(const ClassIndex& index) {
   Json json{{"object", index.object},
             {"bytes", index.file_bytes},
@@ -79,6 +93,7 @@ Json index_json(const ClassIndex& index) {
               {"diameter", index.extent.diameter},
               {"centre", index.extent.centre}}},
             {"golden_frame", golden_json(index)},
+            {"covered_fraction", covered_fraction(index)},
             {"classes", Json::array()}};
   for (const AspectClass& aspect : index.classes) {
     Json entry{{"area_fraction", aspect.area_fraction},
@@ -114,8 +129,12 @@ void print_index(const ClassIndex& index) {
              index.object, name_of(index.vision.sensor),
              static_cast<double>(index.file_bytes) / 1024, index.level, index.threshold,
              index.cluster_threshold, index.scoring);
-  fmt::print("{} classes over {:.1f} % of the sphere, {} contour types, {} key views\n",
-             index.classes.size(), 100 * area, index.types.size(), index.key_views.size());
+  fmt::print(
+      "{} classes over {:.1f} % of the sphere, of which {:.1f} in patches of one aspect; {} "
+      "contour "
+      "types, {} key views\n",
+      index.classes.size(), 100 * covered_fraction(index), 100 * area, index.types.size(),
+      index.key_views.size());
   print_symmetries(index);
   print_golden_frame(index);
   fmt::print("class  area %  views  keys  from                    contours (surfaces: types)\n");
