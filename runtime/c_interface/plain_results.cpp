@@ -43,7 +43,7 @@ void PlainResults::make_room(std::size_t indexes, int top) {
   objects_.reserve(kMaxBlobs + kMostFound);
   hypotheses_.reserve(kMaxBlobs * each + kMostFound);
   poses_.reserve(kMaxBlobs * PoseSearch::kMostPoses + kMostFound);
-  matches_.reserve(kMaxRegions * each);
+  matches_.reserve(kMaxRegions * each + SceneSearch::kMostObjects * kMaxClassContours);
   contours_.reserve(std::size_t{2} * kMaxRegions);
   cameras_.reserve(indexes);
 }

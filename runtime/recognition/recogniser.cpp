@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "runtime/base/portable_math.h"
+#include "runtime/recognition/pose_contours.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -103,7 +104,8 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
       (looks_anywhere() ? SceneSearch::kMostObjects : 0) + (tracks() ? Tracker::kMostTracks : 0);
   hypotheses_ = arena.take<Hypothesis>(kMaxBlobs * top + found);
   // A frame has no more external contours than regions, and a hypothesis matches each once.
-  contour_matches_ = arena.take<ContourMatch>(kMaxRegions * top);
+  contour_matches_ =
+      arena.take<ContourMatch>(kMaxRegions * top + SceneSearch::kMostObjects * kMaxClassContours);
   objects_ = arena.take<SeenObject>(kMaxBlobs + found);
   poses_ = arena.take<VerifiedPose>(kMaxBlobs * PoseSearch::kMostPoses + found);
   cameras_ = arena.take<CameraModel>(indexes.size());
@@ -267,12 +269,20 @@ bool Recogniser::looks_anywhere() const {
          parameters_.vision.sensor == SensorKind::colour;
 }
 
-std::size_t Recogniser::add_found(const SceneObject& found, std::size_t blob, std::size_t objects) {
+std::size_t Recogniser::add_found(const SceneObject& found, std::span<const Contour> contours,
+                                  std::size_t blob, std::size_t objects) {
   if (objects == objects_.size() || hypothesis_count_ == hypotheses_.size() ||
       pose_count_ == poses_.size())
     return objects;
   objects_[objects] = drawn_match(found, probability_of(found.agreement), blob);
-  pose_search_.settle(hypotheses_[hypothesis_count_ - 1], poses_[pose_count_ - 1]);
+  Hypothesis& hypothesis = hypotheses_[hypothesis_count_ - 1];
+  pose_search_.settle(hypothesis, poses_[pose_count_ - 1]);
+  const auto matches = contour_matches_.subspan(match_count_);
+  hypothesis.contours = matches.first(contours_at_pose(
+      indexes_[hypothesis.index], hypothesis.class_id, hypothesis.pose->refined.pose,
+      cameras_[hypothesis.index], vision_.regions(), contours, matches));
+  match_count_ += hypothesis.contours.size();
+  hypothesis.matched = static_cast<int>(hypothesis.contours.size());
   return objects + 1;
 }
 
@@ -317,7 +327,7 @@ std::size_t Recogniser::search_scene(const Frame& frame, std::span<const Contour
         static_cast<double>(found.agreement.score) < parameters_.score_min ||
         is_doubtful(found.agreement, vision_.regions().blobs[blob].box))
       continue;
-    end = add_found(found, blob, end);
+    end = add_found(found, contours, blob, end);
   }
   left_undone_.indexes = scene_search_.left_undone().indexes;
   left_undone_.starts = scene_search_.left_undone().starts;

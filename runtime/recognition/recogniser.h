@@ -134,7 +134,8 @@ class Recogniser {
   std::size_t shortlist(std::span<const ContourFeature> features);
   void find_poses(std::size_t candidates, std::size_t blob);
   bool looks_anywhere() const;
-  std::size_t add_found(const SceneObject& found, std::size_t blob, std::size_t objects);
+  std::size_t add_found(const SceneObject& found, std::span<const Contour> contours,
+                        std::size_t blob, std::size_t objects);
   std::size_t search_scene(const Frame& frame, std::span<const Contour> contours,
                            std::size_t objects);
   std::size_t join_found(std::size_t alone_count, std::size_t count);
