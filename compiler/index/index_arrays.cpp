@@ -34,20 +34,21 @@ fb::KeyContour packed_contour(const ContourFeature& f, std::uint8_t name) {
           name};
 }
 
-void add_contour(const ContourDescription& c, IndexArrays& arrays) {
+void add_contour(const ContourDescription& c, const SourceFromObject& source_from_object,
+                 IndexArrays& arrays) {
   const auto share = [&](std::size_t channel) {
     return packed<std::uint8_t>(c.share[channel], 255);
   };
   // 16-bit places and an 8-bit count: what is beyond them is left out.
   std::size_t surface_count = std::min<std::size_t>(c.surfaces.size(), 255);
   if (arrays.surfaces.size() + surface_count > 65535) surface_count = 0;
+  const Eigen::Vector3f centre = source_from_object(c.centre_object).cast<float>();
   arrays.contours.emplace_back(
       static_cast<std::uint32_t>(arrays.scores.size()),
       static_cast<std::uint16_t>(c.score_of_type.size()),
       static_cast<std::uint16_t>(surface_count > 0 ? arrays.surfaces.size() : 0),
-      static_cast<std::uint8_t>(surface_count), share(0), share(1), share(2),
-      static_cast<float>(c.centre_object.x()), static_cast<float>(c.centre_object.y()),
-      static_cast<float>(c.centre_object.z()));
+      static_cast<std::uint8_t>(surface_count), share(0), share(1), share(2), centre.x(),
+      centre.y(), centre.z());
   for (const auto& [type, score] : c.score_of_type)
     arrays.scores.emplace_back(static_cast<float>(score), type, std::uint16_t{0});
   arrays.surfaces.insert(arrays.surfaces.end(), c.surfaces.begin(),
@@ -72,7 +73,8 @@ IndexArrays pack_arrays(const IndexContents& contents, const IndexSelection& sel
         static_cast<std::uint32_t>(arrays.key_views.size()),
         static_cast<std::uint32_t>(keys.size()), static_cast<float>(cluster.area_fraction),
         static_cast<std::uint32_t>(description.view_count), packed_direction(typical));
-    for (const ContourDescription& contour : description.contours) add_contour(contour, arrays);
+    for (const ContourDescription& contour : description.contours)
+      add_contour(contour, contents.scene.source_from_object, arrays);
     for (const std::size_t key : keys) {
       const ClusterView& view = cluster.views[key];
       const ObservedView& observed = contents.subdivision.views[number(view.vertex)];

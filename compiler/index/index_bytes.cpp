@@ -51,9 +51,19 @@ std::vector<fb::Axis> packed_axes(const Symmetries& symmetries) {
 
 fb::Extent packed_extent(const Scene& scene) {
   const SceneExtent extent = scene_extent(scene);
-  const Eigen::Vector3d &least = extent.least, &most = extent.most, &centre = scene.studio.at;
-  return {least.x(), least.y(),       least.z(),  most.x(),   most.y(),
-          most.z(),  extent.diameter, centre.x(), centre.y(), centre.z()};
+  const SourceFromObject& source = scene.source_from_object;
+  const Eigen::Vector3d least = source(extent.least), most = source(extent.most),
+                        centre = source(scene.studio.at);
+  return {least.x(),
+          least.y(),
+          least.z(),
+          most.x(),
+          most.y(),
+          most.z(),
+          source.scale * extent.diameter,
+          centre.x(),
+          centre.y(),
+          centre.z()};
 }
 
 flatbuffers::Offset<fb::GoldenFrame> write_golden_frame(flatbuffers::FlatBufferBuilder& builder,
@@ -76,9 +86,11 @@ flatbuffers::Offset<fb::Model> write_model(flatbuffers::FlatBufferBuilder& build
   const auto triangles = builder.CreateVectorOfStructs(model.triangles);
   const auto paints = builder.CreateVectorOfStructs(model.paints);
   const auto vector = [](const Eigen::Vector3d& v) { return fb::Vector(v.x(), v.y(), v.z()); };
-  const fb::Vector least = vector(model.least), unit = vector(model.unit),
+  const SourceFromObject& source = contents.scene.source_from_object;
+  const fb::Vector least = vector(source(model.least)), unit = vector(source.scale * model.unit),
                    up = vector(contents.scene.studio.up);
-  return fb::CreateModel(builder, &least, &unit, &up, model.error, vertices, triangles, paints);
+  return fb::CreateModel(builder, &least, &unit, &up, source.scale * model.error, vertices,
+                         triangles, paints);
 }
 
 void set_checksum(std::vector<std::uint8_t>& bytes) {

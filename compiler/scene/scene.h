@@ -143,6 +143,10 @@ struct Studio {
 struct SourceFromObject {
   double scale = 1;
   Eigen::Vector3d translation{0, 0, 0};
+
+  Eigen::Vector3d operator()(const Eigen::Vector3d& object) const {
+    return scale * object + translation;
+  }
 };
 
 struct Scene {

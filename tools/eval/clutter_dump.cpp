@@ -21,7 +21,7 @@ std::string truth_row(const std::string& file, const std::string& object, const 
   if (!frame.has_object) return file + std::string(21, ',') + "\n";
   const Camera& camera = frame.camera;
   const Eigen::Matrix3d& r = camera.camera_from_object;
-  const Eigen::Vector3d t = -r * camera.position_object;
+  const Eigen::Vector3d t = -r * scene.source_from_object(camera.position_object);
   const Eigen::Vector3d v = (camera.position_object - scene.studio.at).normalized();
   std::string row = file + "," + object;
   for (int k = 0; k < 9; ++k) row += fmt::format(",{:.9f}", r(k / 3, k % 3));

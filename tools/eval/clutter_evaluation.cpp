@@ -59,7 +59,8 @@ ClutterOutcome outcome_of(const EvaluatedObject& object, const ClutteredFrame& f
   outcome.found = found != nullptr;
   outcome.falsely_named = static_cast<std::size_t>(named) - (found != nullptr ? 1U : 0U);
   if (found != nullptr && found->hypotheses.front().pose != nullptr)
-    outcome.pose = pose_error(object.index, frame.camera.intrinsics, true_pose(frame.camera),
+    outcome.pose = pose_error(object.index, frame.camera.intrinsics,
+                              true_pose(frame.camera, object.scene.source_from_object),
                               found->hypotheses.front().pose->refined.pose);
   return outcome;
 }

@@ -57,9 +57,9 @@ double squared_distance_px(const Intrinsics& camera, const Vector3d& a, const Ve
 
 }  // namespace
 
-RigidPose true_pose(const Camera& camera) {
+RigidPose true_pose(const Camera& camera, const SourceFromObject& source) {
   const Eigen::Matrix3d& m = camera.camera_from_object;
-  const Eigen::Vector3d t = -m * camera.position_object;
+  const Eigen::Vector3d t = -m * source(camera.position_object);
   return {
       rotation_from_rows({Vector3d{m(0, 0), m(0, 1), m(0, 2)}, Vector3d{m(1, 0), m(1, 1), m(1, 2)},
                           Vector3d{m(2, 0), m(2, 1), m(2, 2)}}),

@@ -14,8 +14,9 @@ struct PoseError {
   double reprojection_px = 0;      // root mean square, how far the model's vertices are off
 };
 
-// Where an object stands before a camera that is placed in the object's coordinates.
-RigidPose true_pose(const Camera& camera);
+// Where an object stands before a camera that is placed in the scene's coordinates, in those and in
+// the units of the scene's file, which are the index's.
+RigidPose true_pose(const Camera& camera, const SourceFromObject& source = {});
 
 // Of the poses that look like `pose`, the one that is turned least against `found`: turns about a
 // round axis are taken by any angle, and those of a ball leave no turn at all.

@@ -34,7 +34,8 @@ std::optional<PoseError> pose_error_of(const EvaluatedObject& object,
   if (hypotheses.empty() || hypotheses.front().pose == nullptr) return std::nullopt;
   const Camera camera = camera_at(object.scene.studio, direction);
   if (camera.intrinsics.projection != Projection::kPerspective) return std::nullopt;
-  return pose_error(object.index, camera.intrinsics, true_pose(camera),
+  return pose_error(object.index, camera.intrinsics,
+                    true_pose(camera, object.scene.source_from_object),
                     hypotheses.front().pose->refined.pose);
 }
 
