@@ -198,19 +198,24 @@ Result<Done> compile_all(std::vector<PreparedIndex>& indexes, const CompileComma
 
 void add_compile_options(CLI::App& app, CompileCommand& command) {
   app.add_option("scene", command.scene,
-                 "Bob scene (.b) or mesh to compile, or a project that names some (.toml)");
+                 "Bob scene (.b) or mesh to compile, or a project that names some (.toml)")
+      ->type_name("SCENE|FILE.toml");
   app.add_option("-o,--output", command.output,
-                 "class index to write, or a folder where there are several [NAME.aspect, here]");
+                 "class index to write, or a folder where there are several [NAME.aspect, here]")
+      ->type_name("FILE.aspect|FOLDER");
   app.add_option("--store", command.store,
-                 "database of views and matches to resume from [NAME.store]");
+                 "database of views and matches to resume from [NAME.store]")
+      ->type_name("FILE.store");
   app.add_flag("--no-store", command.no_store,
                "keep no database; a run that is stopped starts anew");
   app.add_flag("--force", command.force,
                "compile even where inputs, options and index are as they were");
   app.add_option("--stats", command.statistics,
-                 "write statistics to this JSON file; compiles in any case");
-  app.add_option("--progress", command.progress, "progress on stderr: auto, always, never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
+                 "write statistics to this JSON file; compiles in any case")
+      ->type_name("FILE.json");
+  take_words(app.add_option("--progress", command.progress,
+                            "progress on standard error; auto: one line where it is a terminal"),
+             {"auto", "always", "never"})
       ->capture_default_str();
   add_option_flags(app, command.flags);
 }

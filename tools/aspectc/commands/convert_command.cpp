@@ -13,14 +13,22 @@
 namespace aspect {
 CLI::App* add_convert_command(CLI::App& app, ConvertCommand& command) {
   CLI::App* convert = app.add_subcommand("convert", "Write a scene as a Bob scene.");
-  convert->add_option("scene", command.scene, "scene or mesh to read")->required();
-  convert->add_option("output", command.output, "Bob scene to write (.b)")->required();
+  convert->add_option("scene", command.scene, "scene or mesh to read")
+      ->required()
+      ->type_name("SCENE");
+  convert->add_option("output", command.output, "Bob scene to write")
+      ->required()
+      ->type_name("FILE.b");
   convert
-      ->add_option("--missing-colour", command.missing_colour,
-                   "stands for colours that the scene names and that are not found, R,G,B of 1")
+      ->add_option(
+          "--missing-colour", command.missing_colour,
+          "stands for colours that the scene names and that are not found, each part 0 to 1 [none: "
+          "they are an error]")
+      ->type_name("R,G,B")
       ->delimiter(',')
       ->expected(3)
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Range(0.0, 1.0).description(""));
+  convert->footer("Examples:\n  aspectc convert part.obj part.b");
   return convert;
 }
 
