@@ -20,8 +20,9 @@ namespace {
 
 constexpr const char* kNotes =
     R"(The options from [camera] on are the keys of a project as well, under these tables; aspectc init
-writes one that explains them all. What a scene was compiled from is kept beside its index,
-NAME.aspect.inputs: where nothing has changed, nothing is compiled. A run that was stopped goes on from its store.
+writes one that explains them all. What a scene was compiled from is kept beside its index, in
+NAME.aspect.inputs: where nothing has changed, nothing is compiled. A run that was stopped goes on
+from its store.
 
 Files:
   NAME.b            Bob scene; with NAME.bo and NAME.bc where it includes them

@@ -30,6 +30,8 @@ std::string value_part(const std::string& value) {
   std::string action = " ";
   if (!words.choices.empty())
     action = fmt::format("({})", fmt::join(words.choices, " "));
+  else if (words.endings.size() == 1)  // "(a)" at the end would be a qualifier
+    action = fmt::format("_files -g \"*.{}\"", words.endings.front());
   else if (!words.endings.empty())
     action = fmt::format("_files -g \"*.({})\"", fmt::join(words.endings, "|"));
   else if (words.is_file)
