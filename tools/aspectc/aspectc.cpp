@@ -1,10 +1,8 @@
 // aspectc: compiles a scene into a class index, renders single views, prints indexes.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdio>
 
+#include "tools/aspectc/commands/command_failure.h"
 #include "tools/aspectc/commands/compile_command.h"
 #include "tools/aspectc/commands/convert_command.h"
 #include "tools/aspectc/commands/doctor_command.h"
@@ -67,10 +65,8 @@ int run_program(int argc, char** argv) {
   if (doctor->parsed()) return run_doctor(doctor_command);
   if (explain->parsed()) return run_explain(explain_command);
   if (models_info->parsed()) return run_models_info(models_info_command);
-  if (compile_command.scene.empty()) {
-    fmt::print(stderr, "aspectc: no scene given; aspectc --help shows how\n");
-    return 2;
-  }
+  if (compile_command.scene.empty())
+    return refuse_usage("no scene given; aspectc --help shows how");
   return run_compile(compile_command);
 }
 
@@ -81,7 +77,6 @@ int main(int argc, char** argv) {
   try {
     return aspect::run_program(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "aspectc: %s\n", error.what());
-    return 1;
+    return aspect::fail(error.what());
   }
 }

@@ -11,6 +11,7 @@
 #include "tools/command_line/app_text.h"
 #include "tools/command_line/documents.h"
 #include "tools/command_line/help_text.h"
+#include "tools/command_line/terminal_colour.h"
 
 namespace aspect {
 namespace {
@@ -69,8 +70,8 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const
     fmt::print("{}\n", version.what());
     return 0;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {}; see {} --help\n", app.get_name(), complaint_of(error, app),
-               full_name(app));
+    print_failure(app.get_name(),
+                  fmt::format("{}; see {} --help", complaint_of(error, app), full_name(app)));
     return kUsageError;
   }
 }

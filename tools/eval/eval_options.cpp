@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tools/command_line/command_line.h"
+#include "tools/command_line/terminal_colour.h"
 
 namespace aspect {
 namespace {
@@ -148,21 +149,21 @@ std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* a
   add_clutter_options(app, raw);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (raw.indexes.size() > raw.scenes.size()) {
-    fmt::print(stderr, "aspect-eval: {}\n", pairs_needed(raw.indexes.size(), raw.scenes.size()));
+    print_failure("aspect-eval", pairs_needed(raw.indexes.size(), raw.scenes.size()));
     return kUsageError;
   }
   EvalOptions options = finished(std::move(raw));
   if (!options.reliability.empty() && options.ranking == RecogniserParameters::Ranking::classes) {
-    fmt::print(stderr,
-               "aspect-eval: --reliability: with --ranking classes nothing is judged; leave one of "
-               "them out\n");
+    print_failure("aspect-eval",
+                  "--reliability: with --ranking classes nothing is judged; leave one of "
+                  "them out");
     return kUsageError;
   }
   if (options.clutter &&
       (!options.reliability.empty() || options.ranking == RecogniserParameters::Ranking::classes)) {
-    fmt::print(stderr,
-               "aspect-eval: --clutter: neither with --reliability nor with --ranking classes; "
-               "leave one of them out\n");
+    print_failure("aspect-eval",
+                  "--clutter: neither with --reliability nor with --ranking classes; "
+                  "leave one of them out");
     return kUsageError;
   }
   return options;

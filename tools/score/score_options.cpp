@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tools/command_line/command_line.h"
+#include "tools/command_line/terminal_colour.h"
 #include "tools/score/truth_table.h"
 
 namespace aspect {
@@ -101,7 +102,7 @@ std::variant<ScoreOptions, int> parse_score_options(int argc, const char* const*
   add_options(app, options);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (options.sheet.has_value() != options.overlays.has_value()) {
-    fmt::print(stderr, "aspect-score: --sheet and --overlays belong together; give both\n");
+    print_failure("aspect-score", "--sheet and --overlays belong together; give both");
     return kUsageError;
   }
   return options;

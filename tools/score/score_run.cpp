@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "tools/command_line/terminal_colour.h"
 #include "tools/replay/console.h"
 #include "tools/score/score_json.h"
 #include "tools/score/score_sheet.h"
@@ -53,7 +54,7 @@ int run_score(const ScoreOptions& options) {
   if (options.json) {
     fmt::print("{}", score_json(score, options.table));
   } else {
-    if (options.table) fmt::print("{}\n", score_table(score));
+    if (options.table) fmt::print("{}\n", score_table(score, shows_colours(stdout)));
     fmt::print("{}", score_summary(score));
   }
   if (std::fflush(stdout) != 0)

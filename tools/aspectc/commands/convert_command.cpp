@@ -1,6 +1,5 @@
 #include "tools/aspectc/commands/convert_command.h"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -33,24 +32,19 @@ CLI::App* add_convert_command(CLI::App& app, ConvertCommand& command) {
 }
 
 int run_convert(const ConvertCommand& command) {
-  if (lower_extension(command.output) != ".b") {
-    fmt::print(stderr, "aspectc: {}: only Bob scenes are written; name it .b\n", command.output);
-    return 2;
-  }
+  if (lower_extension(command.output) != ".b")
+    return refuse_usage(command.output + ": only Bob scenes are written; name it .b");
   std::error_code unknown;
-  if (std::filesystem::equivalent(command.scene, command.output, unknown)) {
-    fmt::print(stderr, "aspectc: {} is both read and written; name another file\n", command.output);
-    return 2;
-  }
+  if (std::filesystem::equivalent(command.scene, command.output, unknown))
+    return refuse_usage(command.output + " is both read and written; name another file");
   SceneReading reading;
   if (!command.missing_colour.empty())
     reading.colours.missing = Eigen::Vector3d(command.missing_colour.data());
   const Result<Scene> scene = read_scene(command.scene, reading);
   if (!scene) return fail(scene.error());
-  for (const std::string& warning : scene.value().warnings)
-    fmt::print(stderr, "aspectc: warning: {}\n", warning);
+  for (const std::string& warning : scene.value().warnings) print_warning("aspectc", warning);
   for (const MissingColour& missing : scene.value().missing_colours)
-    fmt::print(stderr, "aspectc: warning: {}; --missing-colour stands for it\n", line_of(missing));
+    print_warning("aspectc", line_of(missing) + "; --missing-colour stands for it");
   const Result<std::string> text = write_bob(scene.value());
   if (!text) return fail(text.error());
   const Result<Done> done = write_whole_text(command.output, text.value());

@@ -44,11 +44,6 @@ Examples:
   aspectc doctor part.obj
   aspectc doctor part.obj --fix part.b)";
 
-int refuse_usage(const std::string& message) {
-  fail(message);
-  return kUsageError;
-}
-
 // Why the command makes no sense; empty: it does.
 std::string fault_of(const DoctorCommand& command, const std::vector<PreparedObject>& prepared) {
   if (!command.picture.empty() && prepared.size() != 1)
@@ -164,8 +159,7 @@ int run_doctor(const DoctorCommand& command) {
     return refuse_usage(fault);
   DoctorReport report{command.file, {}, {}, {}};
   for (const PreparedObject& object : prepared) {
-    for (const std::string& warning : object.scene.warnings)
-      fmt::print(stderr, "aspectc: warning: {}\n", warning);
+    for (const std::string& warning : object.scene.warnings) print_warning("aspectc", warning);
     Result<Diagnosis> diagnosis = diagnose(object);
     if (!diagnosis) return fail(diagnosis.error());
     report.objects.push_back(std::move(diagnosis).value());
@@ -181,7 +175,7 @@ int run_doctor(const DoctorCommand& command) {
     if (!fixed) return fail(fixed.error());
     report.fix = std::move(fixed).value();
   }
-  fmt::print("{}", command.json ? report_json(report) : report_text(report));
+  fmt::print("{}", command.json ? report_json(report) : report_text(report, shows_colours(stdout)));
   return report.is_healthy() ? 0 : 1;
 }
 

@@ -88,7 +88,7 @@ int run_explain(const ExplainCommand& command) {
   const Result<Explanation> explanation = explain(command.store, recipe.value(), command.settings);
   if (!explanation) return fail(explanation.error());
   fmt::print("{}", command.json ? explanation_json(explanation.value())
-                                : explanation_text(explanation.value()));
+                                : explanation_text(explanation.value(), shows_colours(stdout)));
   return 0;
 }
 

@@ -187,10 +187,7 @@ int run_inspect(const InspectCommand& command) {
   if (!command.golden.empty()) return write_golden_frame(command);
   if (is_store(command.index)) return run_inspect_store(command.index, command.json);
   const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
-  if (!indexes) {
-    fmt::print(stderr, "aspectc: {}\n", indexes.error());
-    return 1;
-  }
+  if (!indexes) return fail(indexes.error());
   Json list = Json::array();
   for (const ClassIndex& index : indexes.value()) {
     if (command.json)

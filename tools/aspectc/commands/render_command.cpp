@@ -1,6 +1,5 @@
 #include "tools/aspectc/commands/render_command.h"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -59,10 +58,8 @@ int run_render(const RenderCommand& command) {
   const Result<Renderer> renderer = Renderer::create(scene);
   if (!renderer) return fail(command.scene + ": " + renderer.error());
   const Eigen::Vector3d from(command.from[0], command.from[1], command.from[2]);
-  if (!(from.norm() > 0) || !from.allFinite()) {
-    fmt::print(stderr, "aspectc: --from needs a direction other than 0,0,0\n");
-    return 2;
-  }
+  if (!(from.norm() > 0) || !from.allFinite())
+    return refuse_usage("--from needs a direction other than 0,0,0");
   Observer observer(renderer.value(), scene.studio,
                     command.sensor.empty() ? object.value().settings.options.vision
                                            : default_parameters(sensor_named(command.sensor)));
