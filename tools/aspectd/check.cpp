@@ -1,6 +1,5 @@
 #include "tools/aspectd/check.h"
 
-#include <fmt/format.h>
 #include <cstdio>
 
 #include "runtime/base/planned_memory.h"
@@ -8,79 +7,57 @@
 #include "runtime/output/outputs.h"
 #include "runtime/service/daemon_log.h"
 #include "runtime/service/runtime_setup.h"
+#include "tools/aspectd/check_report.h"
 
 namespace aspect {
 namespace {
 
-void print_line(const std::string& text) {
-  std::puts(text.c_str());
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) log_line("warning: " + warning);
-}
-
-void print_recognition(const RuntimeSetup& setup, int width_px, int height_px) {
-  for (std::size_t k = 0; k < setup.indexes.size(); ++k) {
-    const ClassIndex& index = setup.indexes[k];
-    print_line(fmt::format("index: {}, {} classes, {} key views", index.object,
-                           index.classes.size(), index.key_views.size()));
-  }
-  if (const Box& part = setup.parameters.vision.region_of_interest; !part.empty())
-    print_line(fmt::format("region of interest: {} x {} at {}, {}", part.width, part.height, part.x,
-                           part.y));
+std::size_t memory_of(const RuntimeSetup& setup, int width_px, int height_px) {
   Arena counting;
   Recogniser recogniser;
   recogniser.prepare(counting, setup.indexes, setup.parameters, width_px, height_px);
-  print_line(fmt::format("memory: {:.1f} MiB for frames of {} x {}",
-                         static_cast<double>(counting.used_bytes()) / (1 << 20), width_px,
-                         height_px));
+  return counting.used_bytes();
 }
 
-void print_outputs(const OutputSettings& output) {
-  if (output.standard_output) print_line("output: standard output");
-  if (output.file)
-    print_line(fmt::format("output: {}, at most {} bytes, then {} older ones",
-                           output.file->path.native(), output.file->max_bytes, output.file->keep));
-  if (output.unix_socket) print_line("output: socket " + output.unix_socket->native());
-  if (output.tcp)
-    print_line(fmt::format("output: TCP {} port {}", output.tcp->address, output.tcp->port));
-  if (output.mqtt)
-    print_line(fmt::format("output: MQTT {} port {}, topic {}", output.mqtt->host,
-                           output.mqtt->port, output.mqtt->topic));
-  if (output.http)
-    print_line(fmt::format("output: http://{}:{}/", output.http->address, output.http->port));
-  for (const TriggerOutput& trigger : output.triggers)
-    print_line(fmt::format("trigger: {} from score {}", trigger.object, trigger.score_min));
+void add_camera(const CameraSettings& settings, CheckReport& report) {
+  Camera camera(settings);
+  const Result<CameraPlan> plan = camera.check();
+  report.width_px = settings.width_px;
+  report.height_px = settings.height_px;
+  if (!plan) return report.errors.push_back(plan.error());
+  report.camera = plan.value();
+  report.width_px = plan.value().width_px;
+  report.height_px = plan.value().height_px;
+  report.warnings.insert(report.warnings.end(), plan.value().warnings.begin(),
+                         plan.value().warnings.end());
 }
 
-bool print_error(const std::string& message) {
-  log_line(message);
-  return false;
+CheckReport report_of(const RuntimeSetup& setup) {
+  CheckReport report;
+  report.warnings = setup.warnings;
+  add_camera(setup.configuration.capture, report);
+  for (const ClassIndex& index : setup.indexes)
+    report.indexes.push_back({index.object, index.classes.size(), index.key_views.size()});
+  report.region_of_interest = setup.parameters.vision.region_of_interest;
+  report.memory_bytes = memory_of(setup, report.width_px, report.height_px);
+  report.outputs = setup.configuration.output;
+  if (const auto error = Outputs::check(report.outputs)) report.errors.push_back(error->message);
+  return report;
 }
 
 }  // namespace
 
-bool check(const std::filesystem::path& file) {
+bool check(const std::filesystem::path& file, bool json) {
   const Result<std::unique_ptr<RuntimeSetup>> setup = load_setup(file);
-  if (!setup) return print_error(setup.error());
-  print_warnings(setup.value()->warnings);
-  const Configuration& configuration = setup.value()->configuration;
-  Camera camera(configuration.capture);
-  const Result<CameraPlan> plan = camera.check();
-  bool right = true;
-  if (plan) {
-    print_line("camera: " + describe(plan.value()));
-    print_warnings(plan.value().warnings);
-    print_recognition(*setup.value(), plan.value().width_px, plan.value().height_px);
-  } else {
-    right = print_error(plan.error());
-    print_recognition(*setup.value(), configuration.capture.width_px,
-                      configuration.capture.height_px);
+  if (!setup) {
+    log_line(setup.error());
+    return false;
   }
-  print_outputs(configuration.output);
-  if (const auto error = Outputs::check(configuration.output)) right = print_error(error->message);
-  return right;
+  const CheckReport report = report_of(*setup.value());
+  for (const std::string& warning : report.warnings) log_line("warning: " + warning);
+  for (const std::string& error : report.errors) log_line(error);
+  std::fputs((json ? check_json(report) : check_text(report)).c_str(), stdout);
+  return report.errors.empty();
 }
 
 }  // namespace aspect

@@ -5,8 +5,8 @@
 
 namespace aspect {
 
-// Prints what will be used, and on standard error what is wrong. True where nothing is; settings
-// that the camera refuses are warnings.
-bool check(const std::filesystem::path& file);
+// Prints what will be used, in words or as one JSON object, and on standard error what is wrong.
+// True where nothing is; settings that the camera refuses are warnings.
+bool check(const std::filesystem::path& file, bool json);
 
 }  // namespace aspect

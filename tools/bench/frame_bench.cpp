@@ -114,5 +114,3 @@ BENCHMARK(view_of_cube_to_graph)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace aspect
-
-BENCHMARK_MAIN();

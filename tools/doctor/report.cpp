@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "tools/command_line/terminal_colour.h"
+
 namespace aspect {
 namespace {
 
@@ -14,7 +16,13 @@ std::string plural(std::size_t count, const char* word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-void add(const Diagnosis& diagnosis, std::string& text) {
+std::string severity_text(Severity severity, bool colours) {
+  const std::string_view name = severity_name(severity);
+  if (severity == Severity::note) return std::string(name);
+  return toned(name, severity == Severity::error ? Tone::bad : Tone::doubtful, colours);
+}
+
+void add(const Diagnosis& diagnosis, bool colours, std::string& text) {
   text += fmt::format("{}: {} surfaces, {}, {}, {}\n", diagnosis.object, diagnosis.primitives,
                       plural(diagnosis.count(Severity::error), "error"),
                       plural(diagnosis.count(Severity::warning), "warning"),
@@ -23,7 +31,7 @@ void add(const Diagnosis& diagnosis, std::string& text) {
   for (const Finding& finding : diagnosis.findings) {
     if (finding.group != group) text += fmt::format("  {}\n", finding.group);
     group = finding.group;
-    text += fmt::format("    {} {}: {}", severity_name(finding.severity), finding.code,
+    text += fmt::format("    {} {}: {}", severity_text(finding.severity, colours), finding.code,
                         finding.message);
     if (!finding.where.empty())
       text += fmt::format(
@@ -66,9 +74,9 @@ bool DoctorReport::is_healthy() const {
                      [](const Diagnosis& object) { return object.is_healthy(); });
 }
 
-std::string report_text(const DoctorReport& report) {
+std::string report_text(const DoctorReport& report, bool colours) {
   std::string text;
-  for (const Diagnosis& object : report.objects) add(object, text);
+  for (const Diagnosis& object : report.objects) add(object, colours, text);
   for (const std::string& picture : report.pictures)
     text +=
         fmt::format("{}: written, as it is on the left, in merged colours on the right\n", picture);
@@ -81,7 +89,7 @@ std::string report_text(const DoctorReport& report) {
         move.before.x(), move.before.y(), move.before.z(), move.after.x(), move.after.y(),
         move.after.z(), move.separation_before, move.separation_after);
   text += "after that ";
-  add(report.fix->left, text);
+  add(report.fix->left, colours, text);
   return text;
 }
 

@@ -26,7 +26,8 @@ struct DoctorReport {
   bool is_healthy() const;
 };
 
-std::string report_text(const DoctorReport& report);
+// With the severities in colour for a terminal.
+std::string report_text(const DoctorReport& report, bool colours = false);
 std::string report_json(const DoctorReport& report);
 
 }  // namespace aspect

@@ -1,7 +1,7 @@
 // aspect-eval: the thesis's experiments with simulated images (4.4).
-#include <cstdio>
 #include <exception>
 
+#include "tools/command_line/terminal_colour.h"
 #include "tools/eval/evaluation_run.h"
 
 int main(int argc, char** argv) {
@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
     return aspect::run_evaluation(std::get<aspect::EvalOptions>(options));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "aspect-eval: %s\n", error.what());
+    aspect::print_failure("aspect-eval", error.what());
     return 1;
   }
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tools/command_line/command_line.h"
+#include "tools/command_line/terminal_colour.h"
 
 namespace aspect {
 namespace {
@@ -81,14 +82,14 @@ void add_options(CLI::App& app, RawOptions& raw) {
                  "of the viewpoints, the same for all objects, or of the frames [1]")
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->type_name("N");
-  app.add_option("--matching", raw.matching,
-                 "match most contours, or of those the best scored [weighted]")
-      ->check(CLI::IsMember({"simple", "weighted"}).description(""))
-      ->type_name("simple|weighted");
-  app.add_option("--ranking", raw.ranking,
-                 "order by the best key view, or by the class's score alone, as the thesis [views]")
-      ->check(CLI::IsMember({"views", "classes"}).description(""))
-      ->type_name("views|classes");
+  take_words(app.add_option("--matching", raw.matching,
+                            "match most contours, or of those the best scored [weighted]"),
+             {"simple", "weighted"});
+  take_words(
+      app.add_option(
+          "--ranking", raw.ranking,
+          "order by the best key view, or by the class's score alone, as the thesis [views]"),
+      {"views", "classes"});
   app.add_option("--reliability", raw.reliability,
                  "write a plot of the share of right answers against their probability; of all "
                  "indexes at once where there are several")
@@ -102,7 +103,7 @@ void add_clutter_options(CLI::App& app, RawOptions& raw) {
                    "measure recognition in clutter instead, on frames made for it; see below");
   app.add_option("--backgrounds", raw.backgrounds,
                  "put the objects before pieces of the pictures of this folder")
-      ->type_name("DIR")
+      ->type_name("FOLDER")
       ->needs(clutter);
   app.add_option("--hidden", raw.options.hidden_max,
                  "hide up to this share of an object, 0 to 0.7 [0.7]")
@@ -111,7 +112,7 @@ void add_clutter_options(CLI::App& app, RawOptions& raw) {
       ->needs(clutter);
   app.add_option("--dump", raw.dump,
                  "write the frames as PNG files and their truth.csv to this folder")
-      ->type_name("DIR")
+      ->type_name("FOLDER")
       ->needs(clutter);
   app.add_option("--recall", raw.recall, "write a plot of the recall against the share hidden")
       ->type_name("FILE.svg")
@@ -148,21 +149,21 @@ std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* a
   add_clutter_options(app, raw);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (raw.indexes.size() > raw.scenes.size()) {
-    fmt::print(stderr, "aspect-eval: {}\n", pairs_needed(raw.indexes.size(), raw.scenes.size()));
+    print_failure("aspect-eval", pairs_needed(raw.indexes.size(), raw.scenes.size()));
     return kUsageError;
   }
   EvalOptions options = finished(std::move(raw));
   if (!options.reliability.empty() && options.ranking == RecogniserParameters::Ranking::classes) {
-    fmt::print(stderr,
-               "aspect-eval: --reliability: with --ranking classes nothing is judged; leave one of "
-               "them out\n");
+    print_failure("aspect-eval",
+                  "--reliability: with --ranking classes nothing is judged; leave one of "
+                  "them out");
     return kUsageError;
   }
   if (options.clutter &&
       (!options.reliability.empty() || options.ranking == RecogniserParameters::Ranking::classes)) {
-    fmt::print(stderr,
-               "aspect-eval: --clutter: neither with --reliability nor with --ranking classes; "
-               "leave one of them out\n");
+    print_failure("aspect-eval",
+                  "--clutter: neither with --reliability nor with --ranking classes; "
+                  "leave one of them out");
     return kUsageError;
   }
   return options;

@@ -135,7 +135,8 @@ struct Explanation {
 Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
                             const ExplainSettings& settings);
 
-std::string explanation_text(const Explanation& explanation);
+// Wrong views and cures in colour for a terminal.
+std::string explanation_text(const Explanation& explanation, bool colours = false);
 std::string explanation_json(const Explanation& explanation);
 
 }  // namespace aspect

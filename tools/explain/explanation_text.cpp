@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/command_line/terminal_colour.h"
 #include "tools/explain/explanation.h"
 
 namespace aspect {
@@ -113,13 +114,14 @@ void add_backgrounds(const Explanation& e, std::string& text) {
               : "  for the other common ones no paint is less common and far from the others\n";
 }
 
-void add_cure(const Explanation& e, std::string& text) {
+void add_cure(const Explanation& e, bool colours, std::string& text) {
+  const std::string title = toned("cure:", Tone::good, colours);
   const Cure& cure = e.cure;
   if (e.crowded) {
     text += fmt::format(
-        "cure: merge the mesh's {} colours, since {:.0f} % of it is in ones that touch others too "
+        "{} merge the mesh's {} colours, since {:.0f} % of it is in ones that touch others too "
         "like them: aspectc {} --merge-colours {} --store NEW.store; aspectc doctor shows it so\n",
-        e.crowded->colours, 100 * e.crowded->share, e.scene_file, e.crowded->enough);
+        title, e.crowded->colours, 100 * e.crowded->share, e.scene_file, e.crowded->enough);
     return;
   }
   if (cure.changes.empty()) {
@@ -128,7 +130,7 @@ void add_cure(const Explanation& e, std::string& text) {
     return;
   }
   for (const ColourChange& change : cure.changes)
-    text += fmt::format("cure: paint {} {} [{}], {:.1f} steps from every other surface\n",
+    text += fmt::format("{} paint {} {} [{}], {:.1f} steps from every other surface\n", title,
                         name(e.faces[change.face]), change.colour_name, colour(change.colour),
                         change.separation);
   if (e.merged_colours)
@@ -145,7 +147,7 @@ void add_cure(const Explanation& e, std::string& text) {
 
 }  // namespace
 
-std::string explanation_text(const Explanation& e) {
+std::string explanation_text(const Explanation& e, bool colours) {
   std::string text = fmt::format("{}: {} aspects, {} random views\n", e.object, e.aspects, e.views);
   add_symmetries(e, text);
   text += "accuracy to expect, modulo symmetry (95 % interval):\n";
@@ -153,11 +155,13 @@ std::string explanation_text(const Explanation& e) {
   text += fmt::format("another aspect but nearly the same view: {} views\n", e.neighbour_views);
   text += fmt::format("no aspect covers {:.1f} % of the sphere\n", 100 * e.blind_share);
   add_spots(e.blind_spots, "blind", text);
-  text += fmt::format("wrong by more than 20 degrees: {} views\n", e.wrong_views);
+  text += fmt::format("wrong by more than 20 degrees: {}\n",
+                      toned(fmt::format("{} views", e.wrong_views),
+                            e.wrong_views == 0 ? Tone::good : Tone::bad, colours));
   add_spots(e.failing_spots, "of the views wrong", text);
   add_confusions(e, text);
   add_backgrounds(e, text);
-  add_cure(e, text);
+  add_cure(e, colours, text);
   return text;
 }
 

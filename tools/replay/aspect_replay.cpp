@@ -1,8 +1,8 @@
 // aspect-replay: recorded frames through the runtime.
-#include <cstdio>
 #include <exception>
 
 #include "runtime/base/standard_streams.h"
+#include "tools/command_line/terminal_colour.h"
 #include "tools/replay/replay.h"
 
 int main(int argc, char** argv) {
@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
     return aspect::replay(std::get<aspect::ReplayOptions>(options));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "aspect-replay: %s\n", error.what());
+    aspect::print_failure("aspect-replay", error.what());
     return 1;
   }
 }

@@ -4,6 +4,8 @@
 #include <unistd.h>
 #include <cstdio>
 
+#include "tools/command_line/terminal_colour.h"
+
 namespace aspect {
 namespace {
 
@@ -32,20 +34,18 @@ Console::~Console() {
 
 void Console::fail(std::string_view message) {
   ++failures_;
-  print("", message);
+  clear_progress();
+  print_failure(program_, on_one_line(message));
 }
 
 void Console::warn(std::string_view message) {
-  print("warning: ", message);
+  clear_progress();
+  print_warning(program_, on_one_line(message));
 }
 
 void Console::tell(std::string_view message) {
-  print("", message);
-}
-
-void Console::print(std::string_view kind, std::string_view message) {
   clear_progress();
-  fmt::print(stderr, "{}: {}{}\n", program_, kind, on_one_line(message));
+  fmt::print(stderr, "{}: {}\n", program_, on_one_line(message));
 }
 
 void Console::progress(std::uint64_t done, std::optional<std::size_t> all, std::string_view name) {

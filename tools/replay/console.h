@@ -25,7 +25,6 @@ class Console {
   int failures() const { return failures_; }
 
  private:
-  void print(std::string_view kind, std::string_view message);
   void clear_progress();
 
   std::string program_;

@@ -103,11 +103,10 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::optional<Va
                         const std::map<std::string, Value>& words, const std::string& help) {
   std::vector<std::string> known;
   for (const auto& [word, meaning] : words) known.push_back(word);
-  return app
-      .add_option_function<std::string>(
-          name, [&value, words](const std::string& word) { value = words.at(word); }, help)
-      ->check(CLI::IsMember(known).description(""))
-      ->type_name(fmt::format("{}", fmt::join(known, "|")));
+  return take_words(
+      app.add_option_function<std::string>(
+          name, [&value, words](const std::string& word) { value = words.at(word); }, help),
+      known);
 }
 
 // CLI11's own range check lets "nan" through.
@@ -134,7 +133,7 @@ void add_inputs(CLI::App& app, RawOptions& raw) {
       ->type_name("FILE.toml");
   CLI::Option* frames =
       app.add_option("frames", raw.frames, "pictures, raw frames, folders of them, videos")
-          ->type_name("FRAME_OR_FOLDER_OR_VIDEO");
+          ->type_name("FRAME");
   app.add_flag("--self-test", raw.options.self_test,
                "test every index with its golden frame, one line each, and nothing else")
       ->excludes(frames);

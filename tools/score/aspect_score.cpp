@@ -1,7 +1,7 @@
 // aspect-score: what aspect-replay found against the truth.
-#include <cstdio>
 #include <exception>
 
+#include "tools/command_line/terminal_colour.h"
 #include "tools/score/score_run.h"
 
 int main(int argc, char** argv) {
@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
     return aspect::run_score(std::get<aspect::ScoreOptions>(options));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "aspect-score: %s\n", error.what());
+    aspect::print_failure("aspect-score", error.what());
     return 1;
   }
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tools/command_line/command_line.h"
+#include "tools/command_line/terminal_colour.h"
 #include "tools/score/truth_table.h"
 
 namespace aspect {
@@ -26,6 +27,15 @@ first hypothesis. The error of a view is modulo the rotations in the symmetries 
 object,x,y,z,degrees in a .csv (no degrees: any angle), or in a .toml tables
 [[symmetry]] object = "cube", axis = [0, 1, 0], degrees = 90. An object that is not found has an
 error of 180 degrees.
+
+Keys of --json; what there is nothing to tell of is null:
+  objects           object, number, right_percent, median_deg, within_5_percent,
+                    within_10_percent, within_20_percent, median_ms
+  all               the same of all objects
+  frames, missing   how many there are, and how many of them the results lack
+  falsely_named     things named where they are not
+  table             frame, missing, ms, objects: true, found, counts (in the figures above), right,
+                    error_deg; only with --table
 
 Exit code: 0 done and all that was demanded holds; 1 it does not, a frame of the truth is missing in
 the results, or a file was no good (one line each on standard error); 2 wrong usage.
@@ -68,6 +78,8 @@ void add_options(CLI::App& app, ScoreOptions& options) {
   add_path(app, "--symmetries", options.symmetries, "rotations that leave objects as they are",
            "FILE.csv|FILE.toml");
   app.add_flag("--table", options.table, "print a line for each object in each frame too");
+  app.add_flag("--json", options.json,
+               "print one JSON object; with --table the frames one by one are in it");
   add_path(app, "--sheet", options.sheet, "write the overlays with captions as one picture",
            "OUT.png");
   add_path(app, "--overlays", options.overlays, "the folder given to aspect-replay --overlay",
@@ -90,7 +102,7 @@ std::variant<ScoreOptions, int> parse_score_options(int argc, const char* const*
   add_options(app, options);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (options.sheet.has_value() != options.overlays.has_value()) {
-    fmt::print(stderr, "aspect-score: --sheet and --overlays belong together; give both\n");
+    print_failure("aspect-score", "--sheet and --overlays belong together; give both");
     return kUsageError;
   }
   return options;

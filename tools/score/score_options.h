@@ -10,7 +10,7 @@ namespace aspect {
 struct ScoreOptions {
   std::filesystem::path truth, results;
   std::optional<std::filesystem::path> symmetries;
-  bool table = false;
+  bool table = false, json = false;
   std::optional<std::filesystem::path> sheet, overlays;
   std::optional<double> min_right_percent, max_median_deg, min_within20_percent;
 };

@@ -4,7 +4,9 @@
 
 #include <cstdio>
 
+#include "tools/command_line/terminal_colour.h"
 #include "tools/replay/console.h"
+#include "tools/score/score_json.h"
 #include "tools/score/score_sheet.h"
 #include "tools/score/score_text.h"
 
@@ -49,8 +51,12 @@ int run_score(const ScoreOptions& options) {
   }
   const Score score =
       score_results(truth.value(), options.truth.parent_path(), results.value(), rotations);
-  if (options.table) fmt::print("{}\n", score_table(score));
-  fmt::print("{}", score_summary(score));
+  if (options.json) {
+    fmt::print("{}", score_json(score, options.table));
+  } else {
+    if (options.table) fmt::print("{}\n", score_table(score, shows_colours(stdout)));
+    fmt::print("{}", score_summary(score));
+  }
   if (std::fflush(stdout) != 0)
     console.fail("standard output: cannot be written; check where it goes");
   if (options.sheet)

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+
+#include "tools/command_line/terminal_colour.h"
 
 namespace aspect {
 namespace {
@@ -15,18 +18,22 @@ class Table {
     rows_.push_back(std::move(head));
   }
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  // Of the row added last.
+  void tone(std::size_t column, Tone tone) { tones_[{rows_.size() - 1, column}] = tone; }
 
-  std::string text() const {
+  std::string text(bool colours = false) const {
     std::vector<std::size_t> widths(rows_.front().size(), 0);
     for (const auto& row : rows_)
       for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
     std::string text;
-    for (const auto& row : rows_) {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
       std::string line;
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        if (k > 0) line += "  ";
-        line += k < left_ ? fmt::format("{:<{}}", row[k], widths[k])
-                          : fmt::format("{:>{}}", row[k], widths[k]);
+      for (std::size_t k = 0; k < rows_[r].size(); ++k) {
+        const std::string blanks(widths[k] - rows_[r][k].size(), ' ');
+        const auto tone = tones_.find({r, k});
+        const std::string cell =
+            tone == tones_.end() ? rows_[r][k] : toned(rows_[r][k], tone->second, colours);
+        line += (k > 0 ? "  " : "") + (k < left_ ? cell + blanks : blanks + cell);
       }
       text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
@@ -35,6 +42,7 @@ class Table {
 
  private:
   std::vector<std::vector<std::string>> rows_;
+  std::map<std::pair<std::size_t, std::size_t>, Tone> tones_;  // of row and column
   std::size_t left_;
 };
 
@@ -62,7 +70,7 @@ std::vector<std::string> summary_row(const std::string& name, const ScoreSummary
 
 }  // namespace
 
-std::string score_table(const Score& score) {
+std::string score_table(const Score& score, bool colours) {
   Table table({"frame", "true", "found", "error deg", "ms"}, 3);
   for (const ScoredFrame& frame : score.frames) {
     const std::string time =
@@ -73,9 +81,10 @@ std::string score_table(const Score& score) {
       table.add({frame.file, is_hidden ? "(" + object.truth + ")" : or_dash(object.truth),
                  frame.line == nullptr ? "(missing)" : or_dash(object.found),
                  object.right ? fmt::format("{:.2f}", object.error_deg) : "-", time});
+      if (!is_hidden) table.tone(2, object.right ? Tone::good : Tone::bad);
     }
   }
-  return table.text();
+  return table.text(colours);
 }
 
 std::string score_summary(const Score& score) {

@@ -96,6 +96,9 @@ std::vector<std::string> screen_of(const std::string& text) {
     } else if (text.compare(i, 3, "\033[K") == 0) {
       line.resize(std::min(column, line.size()));
       i += 2;
+    } else if (text.compare(i, 2, "\033[") == 0 &&
+               text.find_first_not_of("0123456789;", i + 2) == text.find('m', i + 2)) {
+      i = std::min(text.find('m', i + 2), text.size());  // a colour takes no room
     } else {
       line.resize(std::max(column, line.size()), ' ');
       line.replace(column, 1, 1, text[i]);

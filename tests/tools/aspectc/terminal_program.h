@@ -41,8 +41,8 @@ class TerminalProgram {
   std::vector<Shown> shown_;
 };
 
-// What is left on the screen of a terminal that knows \r, \n and "erase to the end of the line":
-// one string a line. Any other escape is kept as it is.
+// What is left on the screen of a terminal that knows \r, \n, "erase to the end of the line" and
+// colours: one string a line, without colours. Any other escape is kept as it is.
 std::vector<std::string> screen_of(const std::string& text);
 
 }  // namespace aspect

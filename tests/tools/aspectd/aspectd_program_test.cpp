@@ -117,6 +117,33 @@ TEST_CASE("A check prints what will be used, and fails without the camera") {
                               Contains("output: standard output"));
 }
 
+TEST_CASE("A check as JSON says what the words say") {
+  const Station station;
+  station.configure(std::string(kConfiguration) +
+                    "[output.file]\npath = \"seen \\\"1\\\".ndjson\"\nkeep = 2\n"
+                    "[[output.trigger]]\nobject = \"flag\"\nscore_min = 2.5\n"
+                    "command = [\"/bin/true\"]\n");
+  const Outcome words = station.check();
+  const Outcome outcome = station.run({"--config", "aspectd.toml", "--check", "--json"});
+  CHECK(outcome.exit_code == 1);
+  CHECK(outcome.err == words.err);
+  const json report = json::parse(outcome.out);
+  CHECK(report["right"] == false);
+  CHECK(report["camera"].is_null());
+  CHECK(report["indexes"].size() == 1);
+  CHECK(report["indexes"][0]["object"] == "flag");
+  CHECK(report["indexes"][0]["classes"] == 1);
+  CHECK(report["memory"]["width"] == 640);
+  CHECK(report["memory"]["bytes"].get<double>() > 640 * 480);
+  CHECK(report["outputs"][0] == json{{"kind", "stdout"}});
+  CHECK(report["outputs"][1]["kind"] == "file");
+  CHECK_THAT(report["outputs"][1]["path"].get<std::string>(), Contains("seen \"1\".ndjson"));
+  CHECK(report["outputs"][1]["keep"] == 2);
+  CHECK(report["triggers"] == json{{{"object", "flag"}, {"score_min", 2.5}}});
+  CHECK("aspectd: " + report["errors"][0].get<std::string>() + "\n" == outcome.err);
+  CHECK(station.run({"--config", "aspectd.toml", "--json"}).exit_code == 2);
+}
+
 TEST_CASE("The configurations of boards are right but for the camera") {
   const Station station;
   std::filesystem::rename(station.folder().path() / "flag.aspect",

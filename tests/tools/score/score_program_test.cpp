@@ -71,6 +71,38 @@ TEST_CASE("The summary and the table are aligned") {
         "2 frames, 0 missing, 1 things named where they are not\n");
 }
 
+TEST_CASE("--json says what the table says, with the same exit code") {
+  const Scores scores;
+  const Outcome outcome = scores.score("truth.csv seen.ndjson --table --json --min-right 60");
+  CHECK(outcome.exit_code == 1);
+  const json score = json::parse(outcome.out);
+  const json& ball = score["objects"][0];
+  CHECK(ball == json{{"object", "ball"},
+                     {"number", 1},
+                     {"right_percent", 0.0},
+                     {"median_deg", 180.0},
+                     {"within_5_percent", 0.0},
+                     {"within_10_percent", 0.0},
+                     {"within_20_percent", 0.0},
+                     {"median_ms", 1.5}});
+  CHECK(score["objects"][1]["median_deg"].get<double>() == Approx(36.87).margin(0.005));
+  CHECK(score["all"]["right_percent"] == 50.0);
+  CHECK(score["all"]["median_deg"].get<double>() == Approx(108.43).margin(0.005));
+  CHECK(score["frames"] == 2);
+  CHECK(score["missing"] == 0);
+  CHECK(score["falsely_named"] == 1);
+  CHECK(score["table"][1] == json{{"frame", "frames/1.png"},
+                                  {"missing", false},
+                                  {"ms", 1.5},
+                                  {"objects",
+                                   {{{"true", "ball"},
+                                     {"found", "cube"},
+                                     {"counts", true},
+                                     {"right", false},
+                                     {"error_deg", nullptr}}}}});
+  CHECK_FALSE(json::parse(scores.score("truth.csv seen.ndjson --json").out).contains("table"));
+}
+
 TEST_CASE("Demands that are missed and frames that are missing fail") {
   const Scores scores;
   CHECK(scores.score("truth.csv seen.ndjson --min-right 50 --max-median 109 --min-within20 0")

@@ -29,11 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int refuse_usage(const std::string& message) {
-  fail(message);
-  return kUsageError;
-}
-
 struct PreparedPart {
   PreparedObject object;
   ObjectFiles files;
@@ -47,10 +42,6 @@ struct PreparedIndex {
   std::string program;  // which compiles it
   std::vector<PreparedPart> parts;
 };
-
-void print_warning(const std::string& warning) {
-  fmt::print(stderr, "aspectc: warning: {}\n", warning);
-}
 
 std::vector<std::string> warnings_of(const PreparedObject& object) {
   std::vector<std::string> warnings = object.scene.warnings;
@@ -68,7 +59,7 @@ std::vector<std::string> warnings_of(const PreparedObject& object) {
 void print_unchanged(const PlannedIndex& index, const CompileRecord& record) {
   std::set<std::string> files;
   for (const RecordedObject& object : record.objects) {
-    for (const std::string& warning : object.warnings) print_warning(warning);
+    for (const std::string& warning : object.warnings) print_warning("aspectc", warning);
     for (const RecordedFile& file : object.inputs)
       if (!file.hash.starts_with(kAbsent)) files.insert(file.name);
   }
@@ -124,7 +115,7 @@ void warn_of_no_golden_frame(PreparedPart& part, const CompileStatistics& s) {
   part.warnings.push_back(
       fmt::format("{}: {}; aspectd will test no more than its checksum when it starts",
                   part.files.output.native(), no_golden_frame_reason(s)));
-  print_warning(part.warnings.back());
+  print_warning("aspectc", part.warnings.back());
 }
 
 void print_summary(const fs::path& file, const CompileStatistics& s) {
@@ -155,7 +146,7 @@ void keep_record(const PreparedIndex& index, const std::vector<std::uint8_t>& by
     record.objects.back().warnings = part.warnings;
   }
   if (auto done = write_whole_text(record_file_of(index.output), record_text(record)); !done)
-    print_warning(done.error());
+    print_warning("aspectc", done.error());
 }
 
 Result<std::vector<CompileStatistics>> compile_index(PreparedIndex& index,
@@ -198,19 +189,24 @@ Result<Done> compile_all(std::vector<PreparedIndex>& indexes, const CompileComma
 
 void add_compile_options(CLI::App& app, CompileCommand& command) {
   app.add_option("scene", command.scene,
-                 "Bob scene (.b) or mesh to compile, or a project that names some (.toml)");
+                 "Bob scene (.b) or mesh to compile, or a project that names some (.toml)")
+      ->type_name("SCENE|FILE.toml");
   app.add_option("-o,--output", command.output,
-                 "class index to write, or a folder where there are several [NAME.aspect, here]");
+                 "class index to write, or a folder where there are several [NAME.aspect, here]")
+      ->type_name("FILE.aspect|FOLDER");
   app.add_option("--store", command.store,
-                 "database of views and matches to resume from [NAME.store]");
+                 "database of views and matches to resume from [NAME.store]")
+      ->type_name("FILE.store");
   app.add_flag("--no-store", command.no_store,
                "keep no database; a run that is stopped starts anew");
   app.add_flag("--force", command.force,
                "compile even where inputs, options and index are as they were");
   app.add_option("--stats", command.statistics,
-                 "write statistics to this JSON file; compiles in any case");
-  app.add_option("--progress", command.progress, "progress on stderr: auto, always, never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
+                 "write statistics to this JSON file; compiles in any case")
+      ->type_name("FILE.json");
+  take_words(app.add_option("--progress", command.progress,
+                            "progress on standard error; auto: one line where it is a terminal"),
+             {"auto", "always", "never"})
       ->capture_default_str();
   add_option_flags(app, command.flags);
 }
@@ -240,7 +236,7 @@ int run_compile(const CompileCommand& command) {
   }
   for (const PreparedIndex& index : prepared)
     for (const PreparedPart& part : index.parts)
-      for (const std::string& warning : part.warnings) print_warning(warning);
+      for (const std::string& warning : part.warnings) print_warning("aspectc", warning);
   const Result<Done> done = compile_all(prepared, command, planned.is_list);
   return done ? 0 : fail(done.error());
 }

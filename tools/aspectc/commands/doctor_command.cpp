@@ -20,14 +20,17 @@ namespace aspect {
 namespace {
 
 constexpr const char* kKeys =
-    R"(Exit code: 0 no error and no warning (notes are allowed; with --fix: none is left), 1 some or
-FILE cannot be read, 2 usage.
+    R"(Exit code: 0 no error and no warning (notes are allowed; with --fix: none is left), 1 some,
+or the file cannot be read, 2 wrong usage.
+
 --fix removes repeated faces and those without area, welds, turns faces outwards, centres, scales to
 fit (unless a project gives the distance) and moves colours that touch and cannot be separated apart
 by the least that does; open edges stay. OUT.b holds all of that; OUT.ply, of meshes alone, keeps
 the file's coordinates. A project's colours, camera and light are written into OUT.b.
+
 --merge-colours judges the mesh as it would be compiled with that option, and writes a picture of it
 from three sides: as it is on the left, in its N colours on the right.
+
 Keys of --json:
   objects   object, surfaces, errors, warnings, notes, and findings: group (topology, placement,
             colours, visibility), code, severity (error, warning, note), message, cure, count,
@@ -35,12 +38,11 @@ Keys of --json:
             all other groups, surfaces, from 1), can_fix
   pictures  files written; only with --merge-colours
   fix       output, done (lines), colours (before, after, separation_before, separation_after; it
-            separates above 1), left (OUT read again: as an object); only with --fix)";
+            separates above 1), left (OUT read again: as an object); only with --fix
 
-int refuse_usage(const std::string& message) {
-  fail(message);
-  return kUsageError;
-}
+Examples:
+  aspectc doctor part.obj
+  aspectc doctor part.obj --fix part.b)";
 
 // Why the command makes no sense; empty: it does.
 std::string fault_of(const DoctorCommand& command, const std::vector<PreparedObject>& prepared) {
@@ -131,13 +133,18 @@ Result<std::string> write_merging_picture(const DoctorCommand& command,
 CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command) {
   CLI::App* doctor =
       app.add_subcommand("doctor", "Tell what is wrong with a model, and how to cure it.");
-  doctor->add_option("file", command.file, "scene, mesh, or project (.toml)")->required();
-  doctor->add_option("--fix", command.fix, "write the repaired model (.b, or .ply of a mesh)");
+  doctor->add_option("file", command.file, "scene, mesh, or project (.toml)")
+      ->required()
+      ->type_name("SCENE|FILE.toml");
+  doctor->add_option("--fix", command.fix, "write the repaired model; .ply of a mesh only")
+      ->type_name("FILE.b|FILE.ply");
   auto* merge = doctor
                     ->add_option("--merge-colours", command.merge_colours,
-                                 "merge the colours of a mesh into so many, and show it")
-                    ->check(CLI::Range(2, 256));
-  doctor->add_option("--picture", command.picture, "where it is shown (.png) [NAME.colours.png]")
+                                 "merge the colours of a mesh into so many, 2 to 256, and show it")
+                    ->type_name("N")
+                    ->check(CLI::Range(2, 256).description(""));
+  doctor->add_option("--picture", command.picture, "where it is shown [NAME.colours.png]")
+      ->type_name("FILE.png")
       ->needs(merge);
   doctor->add_flag("--json", command.json, "everything, as one JSON object");
   doctor->footer(kKeys);
@@ -152,8 +159,7 @@ int run_doctor(const DoctorCommand& command) {
     return refuse_usage(fault);
   DoctorReport report{command.file, {}, {}, {}};
   for (const PreparedObject& object : prepared) {
-    for (const std::string& warning : object.scene.warnings)
-      fmt::print(stderr, "aspectc: warning: {}\n", warning);
+    for (const std::string& warning : object.scene.warnings) print_warning("aspectc", warning);
     Result<Diagnosis> diagnosis = diagnose(object);
     if (!diagnosis) return fail(diagnosis.error());
     report.objects.push_back(std::move(diagnosis).value());
@@ -169,7 +175,7 @@ int run_doctor(const DoctorCommand& command) {
     if (!fixed) return fail(fixed.error());
     report.fix = std::move(fixed).value();
   }
-  fmt::print("{}", command.json ? report_json(report) : report_text(report));
+  fmt::print("{}", command.json ? report_json(report) : report_text(report, shows_colours(stdout)));
   return report.is_healthy() ? 0 : 1;
 }
 

@@ -31,7 +31,11 @@ constexpr const char* kKeys =
                    more; rare: under 0.2 % and a tenth; else occasional), better (a colour less
                    common and far from the others); only with --backgrounds
   cure             changes (face, colour, colour_name, separation), level, wrong_before,
-                   wrong_after, cured (of those wrong before), accuracy; only where there is one)";
+                   wrong_after, cured (of those wrong before), accuracy; only where there is one
+
+Examples:
+  aspectc explain part.store
+  aspectc explain part.store --backgrounds photos --json)";
 
 Result<Recipe> recipe_of(const ExplainCommand& command) {
   if (command.scene.empty()) return read_recipe(command.store);
@@ -44,26 +48,35 @@ Result<Recipe> recipe_of(const ExplainCommand& command) {
 
 CLI::App* add_explain_command(CLI::App& app, ExplainCommand& command) {
   CLI::App* explain = app.add_subcommand(
-      "explain", "Tell what accuracy to expect, what is confused, and what would cure it.");
-  explain->add_option("store", command.store, "store of a finished compilation (.store)")
-      ->required();
-  explain->add_option("--scene", command.scene, "scene, where the store's cannot be read again");
-  explain->add_option("--views", command.settings.views, "fresh random views")
-      ->check(CLI::Range(1, 1000000))
+      "explain", "Tell what accuracy to expect, and what would cure confusions.");
+  explain->add_option("store", command.store, "store of a finished compilation")
+      ->required()
+      ->type_name("FILE.store");
+  explain->add_option("--scene", command.scene, "scene, where the store's cannot be read again")
+      ->type_name("SCENE|FILE.toml");
+  explain->add_option("--views", command.settings.views, "fresh random views, 1 to 1000000")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000).description(""))
       ->capture_default_str();
-  explain->add_option("--seed", command.settings.seed, "of the views")->capture_default_str();
+  explain->add_option("--seed", command.settings.seed, "of the views")
+      ->type_name("N")
+      ->capture_default_str();
   explain
       ->add_option("--cure-level", command.settings.cure_level,
-                   "level at which changed colours are tried; at most the store's")
-      ->check(CLI::Range(0, 10))
+                   "level at which changed colours are tried; at most the store's, 0 to 10")
+      ->type_name("N")
+      ->check(CLI::Range(0, 10).description(""))
       ->capture_default_str();
-  explain->add_option("--jobs", command.settings.jobs, "threads [one a core]")
-      ->check(CLI::Range(1, 1024));
+  explain
+      ->add_option("--jobs", command.settings.jobs,
+                   "threads, 1 to 1024 [one a core]; changes no result")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
   explain
       ->add_option("--backgrounds", command.settings.backgrounds,
                    "folder of pictures of where the object will be used: tells how common its "
                    "colours are in them, and which would be better")
-      ->type_name("DIR");
+      ->type_name("FOLDER");
   explain->add_flag("--json", command.json, "everything, as one JSON object");
   explain->footer(kKeys);
   return explain;
@@ -75,7 +88,7 @@ int run_explain(const ExplainCommand& command) {
   const Result<Explanation> explanation = explain(command.store, recipe.value(), command.settings);
   if (!explanation) return fail(explanation.error());
   fmt::print("{}", command.json ? explanation_json(explanation.value())
-                                : explanation_text(explanation.value()));
+                                : explanation_text(explanation.value(), shows_colours(stdout)));
   return 0;
 }
 

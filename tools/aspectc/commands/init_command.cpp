@@ -45,8 +45,12 @@ Result<Done> write_new_file(const fs::path& file, const std::string& text) {
 
 CLI::App* add_init_command(CLI::App& app, InitCommand& command) {
   CLI::App* init = app.add_subcommand("init", "Write a commented project for a scene.");
-  init->add_option("scene", command.scene, "Bob scene (.b)")->required();
-  init->add_option("-o,--output", command.output, "project to write [NAME.toml, here]");
+  init->add_option("scene", command.scene, "Bob scene (.b) or mesh")
+      ->required()
+      ->type_name("SCENE");
+  init->add_option("-o,--output", command.output, "project to write [NAME.toml, here]")
+      ->type_name("FILE.toml");
+  init->footer("Examples:\n  aspectc init part.b\n  aspectc part.toml");
   return init;
 }
 

@@ -173,9 +173,13 @@ int write_golden_frame(const InspectCommand& command) {
 CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
   CLI::App* inspect = app.add_subcommand("inspect", "Print a class index, or what a store holds.");
   inspect->add_option("index", command.index, "class index (.aspect) or store (.store)")
-      ->required();
-  inspect->add_flag("--json", command.json, "everything, as one JSON object");
-  inspect->add_option("--golden", command.golden, "write the golden frame to this picture (.png)");
+      ->required()
+      ->type_name("FILE.aspect|FILE.store");
+  inspect->add_flag("--json", command.json,
+                    "everything, as one JSON object; of several indexes a list of them");
+  inspect->add_option("--golden", command.golden, "write the golden frame to this picture")
+      ->type_name("FILE.png");
+  inspect->footer("Examples:\n  aspectc inspect part.aspect\n  aspectc inspect part.store --json");
   return inspect;
 }
 
@@ -183,10 +187,7 @@ int run_inspect(const InspectCommand& command) {
   if (!command.golden.empty()) return write_golden_frame(command);
   if (is_store(command.index)) return run_inspect_store(command.index, command.json);
   const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
-  if (!indexes) {
-    fmt::print(stderr, "aspectc: {}\n", indexes.error());
-    return 1;
-  }
+  if (!indexes) return fail(indexes.error());
   Json list = Json::array();
   for (const ClassIndex& index : indexes.value()) {
     if (command.json)

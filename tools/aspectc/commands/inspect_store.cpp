@@ -7,6 +7,7 @@
 #include <string>
 
 #include "compiler/store/store.h"
+#include "tools/aspectc/commands/command_failure.h"
 
 namespace aspect {
 namespace {
@@ -55,10 +56,7 @@ int run_inspect_store(const std::filesystem::path& file, bool as_json) {
   const Result<Store> store = Store::open_existing(file);
   const Result<StoreContents> contents =
       store ? store.value().contents() : Result<StoreContents>(Error{store.error()});
-  if (!contents) {
-    fmt::print(stderr, "aspectc: {}\n", contents.error());
-    return 1;
-  }
+  if (!contents) return fail(contents.error());
   std::error_code unknown;
   const std::uintmax_t bytes = std::filesystem::file_size(file, unknown);
   if (as_json)

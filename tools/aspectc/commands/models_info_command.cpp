@@ -9,10 +9,13 @@
 namespace aspect {
 CLI::App* add_models_info_command(CLI::App& app, ModelsInfoCommand& command) {
   CLI::App* info = app.add_subcommand(
-      "models-info", "Write sizes and symmetries of objects as BOP's models_info.json.");
+      "models-info", "Write sizes and symmetries as BOP's models_info.json.");
   info->add_option("index", command.indexes, "class indexes (.aspect); ids count from 1")
-      ->required();
-  info->add_option("-o,--output", command.output, "file to write [standard output]");
+      ->required()
+      ->type_name("FILE.aspect");
+  info->add_option("-o,--output", command.output, "file to write [standard output]")
+      ->type_name("FILE.json");
+  info->footer("Examples:\n  aspectc models-info a.aspect b.aspect -o models_info.json");
   return info;
 }
 

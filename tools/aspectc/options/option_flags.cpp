@@ -8,9 +8,17 @@
 namespace aspect {
 namespace {
 
+// As it is given on the command line: a word without quotes.
+std::string default_text(const Option& option, const OptionValue& value) {
+  std::string text = toml_text(option, value);
+  std::erase(text, '"');
+  return text;
+}
+
 std::string help_of(const Option& option) {
   std::string help(option.text.meaning);
-  if (const auto value = option.get({})) help += fmt::format(" [{}]", toml_text(option, *value));
+  if (!option.text.unit.empty()) help += fmt::format(" ({})", option.text.unit);
+  if (const auto value = option.get({})) help += fmt::format(" [{}]", default_text(option, *value));
   if (!option.text.advice.empty()) help += fmt::format("; {}", option.text.advice);
   return help;
 }

@@ -303,7 +303,7 @@ void add_subdivision(std::vector<Option>& all) {
 void add_classes(std::vector<Option>& all) {
   all.push_back(option(
       {kClasses, "cluster_threshold", "--cluster-threshold", "match cost",
-       "the same when patches are clustered; at least the threshold of patches",
+       "largest match cost between the views of one class; at least --threshold",
        "100000; higher: fewer, larger classes, until different aspects merge"},
       NumberForm{{1e-3, 1e15}}, [](auto& s) -> auto& { return s.options.cluster_threshold; }));
   all.push_back(option(
