@@ -19,9 +19,10 @@ build_packages=(
   libv4l-dev                                             # the camera's: formats that are not ours
   pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
   libbenchmark-dev                                       # aspect-bench's
+  pybind11-dev python3-dev python3-numpy                 # the Python module's
 )
 test_packages=(
-  catch2 python3                                         # tests
+  catch2 python3 python3-pil                                         # tests
   mandoc zsh                                             # which read manual pages and completions
   libdxflib-dev                                          # whose colours ours are compared with
   libopencv-calib3d-dev                                  # whose lens ours is compared with
