@@ -74,9 +74,9 @@ aspect_package(doc NAME aspect-doc SECTION doc
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 
 # Which packages have what is needed: dpkg's own answer where it runs for its own processor. Boards'
-# daemon is static; their library needs no more than what every Debian 12 has.
+# daemon is static; what their library needs are the newest symbols that it names (readelf -V).
 if(ASPECT_DEVICE)
-  set(CPACK_DEBIAN_LIB_PACKAGE_DEPENDS "libc6 (>= 2.36), libgcc-s1 (>= 12), libstdc++6 (>= 12)")
+  set(CPACK_DEBIAN_LIB_PACKAGE_DEPENDS "libc6 (>= 2.33), libgcc-s1 (>= 4.5), libstdc++6 (>= 11)")
 else()
   foreach(component COMPILER LIB ASPECTD PYTHON)
     set(CPACK_DEBIAN_${component}_PACKAGE_SHLIBDEPS ON)
@@ -84,7 +84,7 @@ else()
 endif()
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
-foreach(component aspectd python)
+foreach(component aspectd lib python)
   string(TOUPPER ${component} upper)
   file(GLOB CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/${component}/*)
 endforeach()
