@@ -41,7 +41,7 @@ for processor in "$@"; do
     cmake --build --preset "device-$processor" --target packaged
   fi
   rm -f build/packages/*_"$processor".deb
-  quietly cpack --config $folder/CPackConfig.cmake -B build/packages/tree
+  quietly cpack --config "$folder/CPackConfig.cmake" -B build/packages/tree
   rm -rf build/packages/tree/_CPack_Packages
   mv -f build/packages/tree/*.deb build/packages
   rmdir build/packages/tree

@@ -24,8 +24,12 @@ example=prefix/share/doc/libaspect-dev/examples
 "$aspectc" "$source/compiler/models/cube.b" --level 2 --no-store --progress never -o cube.aspect >/dev/null
 python3 "$here/ppm_of_png.py" "$source/tests/data/rendered/frames/030.png" frame.ppm
 
-cmake -S $example -B by_cmake -G Ninja "-DCMAKE_PREFIX_PATH=$folder/prefix" >log 2>&1 && cmake --build by_cmake >>log 2>&1 || { cat log; exit 1; }
-cmake -S "$here/consumer" -B cpp_by_cmake -G Ninja "-DCMAKE_PREFIX_PATH=$folder/prefix" >log 2>&1 && cmake --build cpp_by_cmake >>log 2>&1 || { cat log; exit 1; }
+build_out_of_tree() {
+  { cmake -S "$1" -B "$2" -G Ninja "-DCMAKE_PREFIX_PATH=$folder/prefix" && cmake --build "$2"; } >log 2>&1 ||
+    { cat log; fail "$1 does not build"; }
+}
+build_out_of_tree $example by_cmake
+build_out_of_tree "$here/consumer" cpp_by_cmake
 
 export PKG_CONFIG_PATH=$folder/prefix/$libdir/pkgconfig
 read -ra flags < <(pkg-config --cflags --libs aspect)
