@@ -29,7 +29,9 @@ mkdir -p "$apt_folder/lists/partial" "$apt_folder/cache/archives/partial"
 options=(-q -y -o "Dir::State=$apt_folder" -o "Dir::State::status=$apt_folder/status"
   -o "Dir::Cache=$apt_folder/cache" -o "APT::Architecture=$processor" -o "APT::Architectures=$processor"
   -o APT::Sandbox::User=root -o Debug::NoLocking=1)
-apt-get "${options[@]}" update >"$log" 2>&1 || { tail -n 3 "$log"; stop "package lists of $processor"; }
+# A list that its server is just renewing is there a moment later, or not needed.
+apt-get "${options[@]}" update >"$log" 2>&1 || { sleep 5 && apt-get "${options[@]}" update >"$log" 2>&1; } ||
+  echo "not all package lists of $processor could be had"
 ours=("$packages"/aspectd_*_"$processor".deb "$packages"/libaspect_*_"$processor".deb "$packages"/libaspect-dev_*_"$processor".deb)
 rm -f "$apt_folder"/cache/archives/aspect*.deb
 check "apt finds all that they need" apt-get "${options[@]}" --no-install-recommends --download-only install "${ours[@]}" base-files libc-bin
