@@ -68,8 +68,9 @@ aspect_package(aspectd NAME aspectd SECTION science
   SUGGESTS "aspect-compiler")
 aspect_package(python NAME python3-aspect SECTION python
   SUMMARY "names objects and their poses in colour frames - Python 3"
-  DEPENDS "python3 (>= 3.11~), python3 (<< 3.12)"
-  RECOMMENDS "python3-numpy")
+  DEPENDS "libaspect ${same}, python3 (>= 3.11~), python3 (<< 3.12), python3-numpy"
+  RECOMMENDS "aspect-compiler"
+  SUGGESTS "python3-opencv")
 aspect_package(doc NAME aspect-doc SECTION doc
   SUMMARY "object recognition by CAD models - documentation")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
@@ -82,6 +83,8 @@ else()
   foreach(component COMPILER LIB ASPECTD PYTHON)
     set(CPACK_DEBIAN_${component}_PACKAGE_SHLIBDEPS ON)
   endforeach()
+  # Ours is not installed, and is stated above.
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/runtime/c_interface)
 endif()
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 

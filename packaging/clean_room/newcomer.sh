@@ -52,10 +52,12 @@ type_in 'gcc /usr/share/doc/libaspect-dev/examples/recognise.c $(pkg-config --cf
 check "the C example names it" saw_cube '^cube [01]'
 python_note="no python3-aspect"
 if ls "$packages"/python3-aspect_*_amd64.deb >/dev/null 2>&1; then
-  type_in "python3 -c \"import aspect; print(aspect.Recogniser(['cube.aspect']))\""
-  check "Python opens it" saw_cube Recogniser
+  type_in "python3 -c \"import aspect, numpy; print(aspect.Recogniser('cube.aspect', format='rgb').recognise(numpy.fromfile('frame.ppm', 'uint8')[15:].reshape(512, 512, 3)))\""
+  check "Python names it" saw_cube 'aspect.Object cube, match'
   python_note="with Python"
 fi
+ours="aspect-compiler libaspect libaspect-dev aspectd aspect-doc"
+[ "$python_note" = "no python3-aspect" ] || ours+=" python3-aspect"
 newcomer_commands=$commands
 newcomer_seconds=$command_seconds
 
@@ -69,14 +71,12 @@ check "aspectd reads an example, up to the camera that is not here" inside "sed 
 check "the service's user is there and can do nothing else" inside "getent passwd aspectd | grep /nologin && id -nG aspectd | grep -w video"
 check "the unit is understood" inside "systemd-analyze verify --man=no aspectd.service"
 check "installing again is quiet" inside "dpkg -i ./aspectd_*.deb ./libaspect_*.deb"
-check "every file is as it was packed" inside "! dpkg -V aspect-compiler libaspect libaspect-dev aspectd aspect-doc | grep ."
+check "every file is as it was packed" inside "! dpkg -V $ours | grep ."
 
 echo
 echo "== and away again"
-inside "dpkg -L aspect-compiler libaspect libaspect-dev aspectd aspect-doc | sort -u" >"$folder/ours"
+inside "dpkg -L $ours | sort -u" >"$folder/ours"
 inside "systemctl enable aspectd; install -d /var/lib/aspect; echo indexes = [] >/etc/aspect/aspectd.toml" >"$log" 2>&1
-ours="aspect-compiler libaspect libaspect-dev aspectd aspect-doc"
-[ "$python_note" = "no python3-aspect" ] || ours+=" python3-aspect"
 check "they are purged" inside "apt purge -y $ours"
 check "dpkg knows none of them" inside "! dpkg-query -W -f '\${Package} \${db:Status-Status}\\n' $ours 2>/dev/null | grep -v not-installed | grep ."
 still_there() {
