@@ -5,8 +5,8 @@
 #                 module is built, python3-aspect: for a workstation with Debian 12
 #   arm64, armhf  aspectd (static), libaspect and libaspect-dev: for a board, without any of the
 #                 compiler's libraries
-# What is needed to build them: tools/setup.sh build; for boards tools/setup.sh test. The same tree
-# gives the same bytes. tools/clean_room.sh tries them.
+# What is needed to build them: tools/setup.sh build; for boards tools/setup.sh test. The same tree in
+# the same folder gives the same bytes. tools/clean_room.sh tries them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 [ $# -gt 0 ] || set -- amd64 arm64 armhf
