@@ -4,6 +4,7 @@
 #   demo    what tools/demo.sh builds and runs
 #   build   that, and all programs with all they can do
 #   test    that, and all tests, in emulators and under sanitizers as well (without a word: this)
+# What tries packages (debootstrap, lintian) is no test's: tools/clean_room.sh --setup installs it.
 set -euo pipefail
 
 demo_packages=(
@@ -46,7 +47,7 @@ for package in "${wanted[@]}"; do
   [ "$status" = installed ] || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then
-  echo "setup: all packages are installed"
+  echo "setup: all packages are installed (tools/clean_room.sh needs its own: --setup)"
   exit 0
 fi
 

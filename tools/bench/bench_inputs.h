@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <initializer_list>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,8 +32,28 @@ inline double cpu_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-inline std::filesystem::path source_path(const char* below) {
-  return std::filesystem::path(ASPECT_SOURCE_DIR) / below;
+// The first that is there, beside the program: as in the tree, where it is built/PRESET/bin, or as
+// it is installed, in bin with share/ beside it.
+inline std::filesystem::path beside_program(std::initializer_list<const char*> places) {
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  for (const char* place : places) {
+    const std::filesystem::path path = (program.parent_path() / place).lexically_normal();
+    if (std::filesystem::exists(path, unknown)) return path;
+  }
+  std::fprintf(stderr, "aspect-bench: %s is not there; install it again, or run build/release's\n",
+               *(places.end() - 1));
+  std::exit(1);
+}
+
+// Bob scenes.
+inline std::filesystem::path model_file(const std::string& name) {
+  return beside_program({"../../../compiler/models", "../share/aspect/models"}) / (name + ".b");
+}
+
+// Frames that POV-Ray rendered, with the scenes they show.
+inline std::filesystem::path rendered_folder() {
+  return beside_program({"../../../tests/data/rendered", "../share/aspect/rendered"});
 }
 
 // A hundred directions, evenly spread by the golden angle.

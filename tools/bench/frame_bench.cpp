@@ -22,12 +22,11 @@
 namespace aspect {
 namespace {
 
-const std::filesystem::path kData = source_path("tests/data/rendered");
 constexpr int kIndexLevel = 5;
 
 std::vector<cv::Mat> load_frames() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(kData / "frames"))
+  for (const auto& entry : std::filesystem::directory_iterator(rendered_folder() / "frames"))
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<cv::Mat> frames;
@@ -66,7 +65,7 @@ const std::vector<ClassIndex>& five_indexes() {
   static const std::vector<ClassIndex> indexes = [] {
     std::vector<ClassIndex> made;
     for (const char* name : {"cube", "l_shape", "blockcyl1", "blockcyl2", "pegblock"}) {
-      const Scene scene = checked(read_bob(kData / (std::string(name) + ".b")));
+      const Scene scene = checked(read_bob(rendered_folder() / (std::string(name) + ".b")));
       CompileOptions options;
       options.level = kIndexLevel;
       const CompiledIndex index = checked(compile(scene, options, std::nullopt, {}, nullptr));
@@ -91,7 +90,7 @@ void recognise_with_five_indexes(benchmark::State& state) {
 BENCHMARK(recognise_with_five_indexes)->Unit(benchmark::kMillisecond);
 
 void render_cube(benchmark::State& state) {
-  const Scene scene = checked(read_bob(kData / "cube.b"));
+  const Scene scene = checked(read_bob(rendered_folder() / "cube.b"));
   const Renderer renderer = checked(Renderer::create(scene));
   const std::vector<Eigen::Vector3d> views = directions();
   Picture picture;
@@ -102,7 +101,7 @@ void render_cube(benchmark::State& state) {
 BENCHMARK(render_cube)->Unit(benchmark::kMillisecond);
 
 void view_of_cube_to_graph(benchmark::State& state) {
-  const Scene scene = checked(read_bob(kData / "cube.b"));
+  const Scene scene = checked(read_bob(rendered_folder() / "cube.b"));
   const Renderer renderer = checked(Renderer::create(scene));
   Observer observer(renderer, scene.studio, {});
   const std::vector<Eigen::Vector3d> views = directions();

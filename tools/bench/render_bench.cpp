@@ -117,7 +117,7 @@ void compare(benchmark::State& state, const Scene& scene) {
 }
 
 void render_against_embree(benchmark::State& state, const std::string& name) {
-  compare(state, checked(read_bob(source_path("compiler/models") / (name + ".b"))));
+  compare(state, checked(read_bob(model_file(name))));
 }
 BENCHMARK_CAPTURE(render_against_embree, cube, std::string("cube"));
 BENCHMARK_CAPTURE(render_against_embree, holeblock, std::string("holeblock"));
@@ -125,7 +125,7 @@ BENCHMARK_CAPTURE(render_against_embree, blockcyl2, std::string("blockcyl2"));
 BENCHMARK_CAPTURE(render_against_embree, truck, std::string("truck"));
 
 void render_large_mesh_against_embree(benchmark::State& state) {
-  const std::filesystem::path path = source_path("build/bench/large_mesh.ply");
+  const std::filesystem::path path = "build/bench/large_mesh.ply";
   if (!std::filesystem::exists(path)) {
     state.SkipWithError("run tools/bench/large_mesh.py build/bench/large_mesh.ply first");
     return;

@@ -31,7 +31,7 @@ CompileOptions options() {
 // A scene's views, each with the neighbours of lower number that it is matched with.
 struct Sphere {
   explicit Sphere(const std::string& name)
-      : scene(checked(read_bob(source_path("compiler/models") / (name + ".b")))),
+      : scene(checked(read_bob(model_file(name)))),
         renderer(checked(Renderer::create(scene))),
         subdivision(checked(subdivide({renderer, scene.studio, options(), nullptr, {}, nullptr}))),
         neighbours(subdivision.views.size()) {

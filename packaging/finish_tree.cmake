@@ -1,0 +1,50 @@
+# Run by cpack between installing into a tree a component and packing it: adds what every Debian
+# package has, and sets what may differ from build to build: modes, and times to the changelog's.
+set(packaging ${CPACK_ASPECT_PACKAGING})
+set(epoch $ENV{SOURCE_DATE_EPOCH})
+if(NOT epoch)
+  message(FATAL_ERROR "SOURCE_DATE_EPOCH is not set: run tools/package.sh")
+endif()
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  set(tree ${CPACK_TEMPORARY_DIRECTORY}/${component})
+  set(name ${CPACK_ASPECT_NAME_${component}})
+  if(NOT EXISTS ${tree}/usr)
+    message(FATAL_ERROR "${tree}/usr is not there: was this configured with CMAKE_INSTALL_PREFIX=/usr?")
+  endif()
+  set(documents ${tree}/usr/share/doc/${name})
+  file(MAKE_DIRECTORY ${documents})
+  configure_file(${packaging}/copyright ${documents}/copyright COPYONLY)
+  configure_file(${packaging}/changelog ${documents}/changelog COPYONLY)
+  if(EXISTS ${packaging}/lintian/${name})
+    file(MAKE_DIRECTORY ${tree}/usr/share/lintian/overrides)
+    configure_file(${packaging}/lintian/${name} ${tree}/usr/share/lintian/overrides/${name} COPYONLY)
+  endif()
+  if(component STREQUAL aspectd)
+    # No configuration in it: which camera there is, and what it looks for, only its owner knows.
+    file(MAKE_DIRECTORY ${tree}/etc/aspect)
+  endif()
+
+  file(GLOB_RECURSE pages ${tree}/usr/share/man/*.[0-9])
+  run(gzip -9n ${documents}/changelog ${pages})
+
+  # What is not needed to run is not shipped, also what install(... STRIP) leaves.
+  file(GLOB_RECURSE files LIST_DIRECTORIES false ${tree}/usr/bin/* ${tree}/usr/lib/*)
+  foreach(file IN LISTS files)
+    if(IS_SYMLINK ${file})
+      continue()
+    endif()
+    file(READ ${file} magic LIMIT 4 HEX)
+    if(magic STREQUAL 7f454c46)
+      run(${CPACK_ASPECT_STRIP} --strip-unneeded -R .comment -R .note ${file})
+    endif()
+  endforeach()
+
+  run(find ${tree} -type d -exec chmod 755 {} +)
+  run(find ${tree}/usr -path ${tree}/usr/bin -prune -o -type f -exec chmod 644 {} +)
+  run(find ${tree} -exec touch -h -d @${epoch} {} +)
+endforeach()
