@@ -23,7 +23,7 @@ build_packages=(
   pybind11-dev python3-dev python3-numpy                 # the Python module's
 )
 test_packages=(
-  catch2 python3 python3-pil                                         # tests
+  catch2 python3 python3-pil                             # tests
   mandoc zsh                                             # which read manual pages and completions
   libdxflib-dev                                          # whose colours ours are compared with
   libopencv-calib3d-dev                                  # whose lens ours is compared with
