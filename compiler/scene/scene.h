@@ -162,6 +162,7 @@ struct Scene {
   std::string source;
   SourceFromObject source_from_object;        // of meshes, which are centred and scaled to fit
   std::optional<std::size_t> merged_colours;  // of a mesh whose colours were merged: into so many
+  std::optional<double> chord_error;          // of a STEP file's triangles: see step_mesh.h
   // Every file that was read or looked for, there or not: while what these names hold stays the
   // same, so does the scene.
   std::vector<std::string> files;
