@@ -155,6 +155,7 @@ struct Scene {
   Studio studio;
   std::vector<Surface> surfaces;
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures
+  std::vector<std::string> names;  // by primitive, as a mesh calls it; fewer, or empty: it does not
   std::vector<Light> lights;
   std::vector<std::string> warnings;           // one line each, with file and line
   std::vector<MissingColour> missing_colours;  // that another was given to stand for
