@@ -19,6 +19,7 @@ build_packages=(
   libv4l-dev                                             # the camera's: formats that are not ours
   pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
   libbenchmark-dev                                       # aspect-bench's
+  libocct-data-exchange-dev                              # STEP files: 37 MB with what it needs
 )
 test_packages=(
   catch2 python3                                         # tests

@@ -23,7 +23,8 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
 std::vector<Finding> mesh_findings(const PreparedObject& object, const ColouredMesh& mesh) {
   const std::string extension = lower_extension(object.scene_file);
   std::vector<Finding> findings = check_topology(face_set_of(mesh)).findings;
-  append(findings, check_unit(mesh, extension == ".gltf" || extension == ".glb"));
+  const bool in_mm = extension == ".step" || extension == ".stp";  // whatever the file's unit
+  if (!in_mm) append(findings, check_unit(mesh, extension == ".gltf" || extension == ".glb"));
   return findings;
 }
 

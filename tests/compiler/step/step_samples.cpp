@@ -20,6 +20,10 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace aspect {
@@ -47,7 +51,17 @@ class StepDocument {
   Handle(XCAFDoc_ShapeTool) shapes() { return XCAFDoc_DocumentTool::ShapeTool(document_->Main()); }
   Handle(XCAFDoc_ColorTool) colours() { return XCAFDoc_DocumentTool::ColorTool(document_->Main()); }
 
+  // In a process of its own: what a file in inches leaves in OpenCASCADE changes later ones.
   void write(const std::filesystem::path& file, StepSchema schema, const std::string& unit) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(write_here(file, schema, unit) ? 0 : 1);
+    int status = 1;
+    ::waitpid(child, &status, 0);
+    if (status != 0) throw std::runtime_error("OpenCASCADE did not write " + file.string());
+  }
+
+ private:
+  bool write_here(const std::filesystem::path& file, StepSchema schema, const std::string& unit) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     STEPControl_Controller::Init();
     const char* schemas[] = {"AP203", "AP214IS", "AP242DIS"};
@@ -55,11 +69,9 @@ class StepDocument {
     Interface_Static::SetCVal("write.step.schema", schemas[static_cast<int>(schema)]);
     Interface_Static::SetCVal("write.step.unit", unit.c_str());
     Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
-    if (!writer.Transfer(document_) || writer.Write(file.c_str()) != IFSelect_RetDone)
-      throw std::runtime_error("OpenCASCADE did not write " + file.string());
+    return writer.Transfer(document_) && writer.Write(file.c_str()) == IFSelect_RetDone;
   }
 
- private:
   Handle(TDocStd_Document) document_ = new TDocStd_Document("XmlXCAF");
 };
 

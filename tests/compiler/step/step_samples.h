@@ -17,6 +17,7 @@ struct BoxFace {
   Eigen::Vector3d colour{0, 0, 0};
 };
 std::vector<BoxFace> box_faces();
+// `unit` is what the numbers count.
 void write_step_box(const std::filesystem::path& file, StepSchema schema,
                     const std::string& unit = "MM");
 
