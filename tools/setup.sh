@@ -10,6 +10,7 @@ demo_packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
   libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
+  pkgconf libminizip-dev libexpat1-dev
   libassimp-dev libpng-dev libxxhash-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev  # the tools'
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev
@@ -17,7 +18,7 @@ demo_packages=(
 build_packages=(
   libopencv-videoio-dev                                  # videos as frames
   libv4l-dev                                             # the camera's: formats that are not ours
-  pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
+  libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
   libbenchmark-dev                                       # aspect-bench's
   libocct-data-exchange-dev                              # STEP files: 37 MB with what it needs
 )

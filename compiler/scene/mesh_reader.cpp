@@ -17,6 +17,7 @@
 #include "compiler/scene/scene_reader.h"
 #include "compiler/scene/step_mesh.h"
 #include "compiler/scene/stl_mesh.h"
+#include "compiler/scene/threemf_mesh.h"
 
 namespace aspect {
 namespace {
@@ -40,6 +41,7 @@ std::optional<ColouredMesh> parsed(std::string_view bytes, const std::filesystem
   if (extension == ".off") return parse_off(bytes, stand_in);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);
+  if (extension == ".3mf") return parse_threemf(bytes, stand_in);
   if (extension == ".ply") return parse_ply(bytes, file, stand_in);
   return std::nullopt;
 }

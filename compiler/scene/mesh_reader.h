@@ -1,4 +1,4 @@
-// Reader of coloured meshes: OBJ with MTL, PLY, glTF and GLB, STL, OFF, 3DS, DXF, STEP.
+// Reader of coloured meshes: OBJ with MTL, PLY, glTF and GLB, STL, OFF, 3DS, DXF, 3MF, STEP.
 #pragma once
 
 #include <filesystem>
@@ -28,8 +28,8 @@ Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file,
                                         double chord_error = kDefaultChordError);
 
 // A scene from bytes in memory, for formats that this library reads itself: .obj, .gltf and .ply
-// (with the files that they name), .glb, .off, .stl (binary), .dxf. `name` stands for the file in
-// messages.
+// (with the files that they name), .glb, .off, .stl (binary), .dxf, .3mf. `name` stands for the
+// file in messages.
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,
                          const MeshColours& colours = {});
 

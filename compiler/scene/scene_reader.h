@@ -18,8 +18,8 @@ struct SceneReading {
   double chord_error = kDefaultChordError;  // of STEP files
 };
 
-// A Bob scene (.b) or a mesh (.obj .ply .stl .gltf .glb .dxf .off .3ds .step .stp, in any case).
-// Errors are one line that names the file; for another extension it lists these.
+// A Bob scene (.b) or a mesh (.obj .ply .stl .gltf .glb .dxf .off .3ds .3mf .step .stp, in any
+// case). Errors are one line that names the file; for another extension it lists these.
 Result<Scene> read_scene(const std::filesystem::path& file, const SceneReading& reading = {});
 
 // ".obj" of "A.OBJ".

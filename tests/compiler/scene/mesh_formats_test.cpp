@@ -169,7 +169,7 @@ TEST_CASE("an unknown extension is refused with those that are known") {
   REQUIRE_FALSE(scene.ok());
   CHECK(scene.error() ==
         "part.iges: unknown extension '.iges'; give one of .b .obj .ply .stl .gltf .glb .dxf .off "
-        ".3ds .step .stp");
+        ".3ds .3mf .step .stp");
 }
 
 }  // namespace aspect
