@@ -1,6 +1,7 @@
 // Reader of 3MF archives with their colours.
 //
-// Over minizip and expat.
+// Why our own, over minizip and expat: measured on the samples of its test, Assimp 5.2 gives all
+// triangles their object's material, whatever group they name.
 #pragma once
 
 #include <string_view>
