@@ -17,6 +17,7 @@ constexpr const char* kSceneFile = "scene_file";
 constexpr const char* kSceneText = "scene_text";
 constexpr const char* kOptions = "options";
 constexpr const char* kMergedColours = "merged_colours";
+constexpr const char* kChordError = "chord_error";
 
 // Every option once, for writing and for reading.
 template <typename Options, typename Visit>
@@ -105,6 +106,10 @@ Result<Scene> kept_scene(const Store& store, const std::string& hash) {
   SceneReading reading;
   std::size_t count = 0;
   if (std::istringstream(merged.value()) >> count && count > 0) reading.colours.merged = count;
+  const Result<std::string> error = store.note(kChordError);
+  if (!error) return Error{error.error()};
+  double share = 0;
+  if (std::istringstream(error.value()) >> share && share > 0) reading.chord_error = share;
   return read_scene(file.value(), reading);
 }
 
@@ -151,10 +156,12 @@ Result<Done> keep_recipe(Store& store, const Scene& scene, const CompileOptions&
   const std::string file =
       scene.file.empty() ? "" : std::filesystem::absolute(scene.file, unknown).string();
   const std::string merged = scene.merged_colours ? std::to_string(*scene.merged_colours) : "";
+  const std::string error = scene.chord_error ? fmt::format("{}", *scene.chord_error) : "";
   for (const auto& [name, text] : {std::pair{kSceneFile, file},
                                    {kSceneText, scene.source},
                                    {kOptions, options_text(options)},
-                                   {kMergedColours, merged}})
+                                   {kMergedColours, merged},
+                                   {kChordError, error}})
     if (Result<Done> done = store.set_note(name, text); !done) return done;
   return Done{};
 }

@@ -11,6 +11,7 @@ demo_packages=(
   g++ cmake ninja-build                                  # the compiler of Debian 12 and its drivers
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler  # the runtime's libraries
   libembree-dev libtbb-dev libsqlite3-dev                # the compiler's
+  pkgconf libminizip-dev libexpat1-dev
   libassimp-dev libpng-dev libxxhash-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev  # the tools'
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev
@@ -18,9 +19,10 @@ demo_packages=(
 build_packages=(
   libopencv-videoio-dev                                  # videos as frames
   libv4l-dev                                             # the camera's: formats that are not ours
-  pkgconf libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
+  libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
   libbenchmark-dev                                       # aspect-bench's
   pybind11-dev python3-dev python3-numpy                 # the Python module's
+  libocct-data-exchange-dev                              # STEP files: 37 MB with what it needs
 )
 test_packages=(
   catch2 python3 python3-pil                             # tests

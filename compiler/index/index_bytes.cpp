@@ -1,5 +1,7 @@
 #include "compiler/index/index_bytes.h"
 
+#include <algorithm>
+
 #include "compiler/index/packing.h"
 #include "compiler/scene/scene_extent.h"
 #include "runtime/recognition/class_index.h"
@@ -93,6 +95,23 @@ flatbuffers::Offset<fb::Model> write_model(flatbuffers::FlatBufferBuilder& build
                          triangles, paints);
 }
 
+// A hundred faces with names of twenty letters take 4 KiB: the classes' surfaces alone have theirs.
+flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<fb::SurfaceName>>> write_surface_names(
+    flatbuffers::FlatBufferBuilder& builder, const Scene& scene,
+    std::vector<std::uint16_t> surfaces) {
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  std::vector<flatbuffers::Offset<fb::SurfaceName>> names;
+  for (const std::uint16_t surface : surfaces) {
+    if (surface == 0 || surface > scene.names.size()) continue;
+    const std::string& name = scene.names[surface - 1U];
+    if (name.empty()) continue;
+    names.push_back(fb::CreateSurfaceName(builder, surface, builder.CreateString(name)));
+  }
+  if (names.empty()) return {};
+  return builder.CreateVector(names);
+}
+
 void set_checksum(std::vector<std::uint8_t>& bytes) {
   auto* table = flatbuffers::GetMutableRoot<flatbuffers::Table>(bytes.data());
   const auto offset =
@@ -133,7 +152,8 @@ std::vector<std::uint8_t> index_bytes(const IndexContents& contents, const Index
       builder.CreateVectorOfStructs(arrays.key_contours), builder.CreateVector(map),
       builder.CreateVectorOfStructs(packed_rotations(contents.symmetries)),
       builder.CreateVectorOfStructs(packed_axes(contents.symmetries)), &extent,
-      write_golden_frame(builder, golden), write_model(builder, contents), &calibration);
+      write_golden_frame(builder, golden), write_model(builder, contents), &calibration,
+      write_surface_names(builder, contents.scene, arrays.surfaces));
   fb::FinishClassIndexBuffer(builder, root);
   std::vector<std::uint8_t> bytes(builder.GetBufferPointer(),
                                   builder.GetBufferPointer() + builder.GetSize());

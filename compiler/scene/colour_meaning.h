@@ -22,7 +22,7 @@ struct ColourSource {
 
 // STL's and PLY's have no specification but what programs do; MTL's speaks of reflectivity, and
 // viewers show it as it is.
-inline constexpr std::array<ColourSource, 17> kColourSources = {{
+inline constexpr std::array<ColourSource, 20> kColourSources = {{
     {"b", "surface", ColourMeaning::displayed, "1", "Vivid's pictures, 255 * colour"},
     {"obj", "Kd of MTL", ColourMeaning::displayed, "1", "Wavefront MTL 1995; MeshLab"},
     {"obj", "Kd xyz of MTL", ColourMeaning::xyz, "1", "Wavefront MTL 1995"},
@@ -38,6 +38,9 @@ inline constexpr std::array<ColourSource, 17> kColourSources = {{
     {"off", "whole", ColourMeaning::displayed, "255", "Geomview's OFF"},
     {"off", "float", ColourMeaning::displayed, "1", "Geomview's OFF"},
     {"3ds", "COLOR_24", ColourMeaning::displayed, "255", "Autodesk 3D Studio File Toolkit"},
+    {"3mf", "displaycolor", ColourMeaning::displayed, "255", "3MF core 1.3: sRGB"},
+    {"3mf", "colorgroup", ColourMeaning::displayed, "255", "3MF materials 1.2: sRGB"},
+    {"step", "COLOUR_RGB", ColourMeaning::displayed, "1", "ISO 10303-46; OpenCASCADE 7.6"},
     {"dxf", "index (62)", ColourMeaning::displayed, "255", "AutoCAD's colour index"},
     {"dxf", "true colour (420)", ColourMeaning::displayed, "255", "DXF Reference, group 420"},
 }};

@@ -72,7 +72,8 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
   ::setrlimit(RLIMIT_CPU, &time);
   ::setrlimit(RLIMIT_CORE, &no_core);
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+  for (const int chatter : {STDOUT_FILENO, STDERR_FILENO})
+    if (nowhere >= 0) ::dup2(nowhere, chatter);
   std::string failure, file;
   std::uint64_t line = 0;
   try {

@@ -13,6 +13,7 @@ namespace aspect {
 struct SurfaceTriangle {
   std::array<std::uint32_t, 3> corners;
   std::uint32_t surface = 0;
+  std::uint32_t part = 0;  // of the mesh; says nothing of what is one piece
 };
 
 // Makes vertices at the same place one, and leaves out triangles without area and repeated ones.

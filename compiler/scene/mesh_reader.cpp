@@ -15,12 +15,18 @@
 #include "compiler/scene/off_mesh.h"
 #include "compiler/scene/ply_mesh.h"
 #include "compiler/scene/scene_reader.h"
+#include "compiler/scene/step_mesh.h"
 #include "compiler/scene/stl_mesh.h"
+#include "compiler/scene/threemf_mesh.h"
 
 namespace aspect {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
+
+bool is_step(std::string_view extension) {
+  return extension == ".step" || extension == ".stp";
+}
 
 bool is_gltf(std::string_view extension) {
   return extension == ".gltf" || extension == ".glb";
@@ -35,6 +41,7 @@ std::optional<ColouredMesh> parsed(std::string_view bytes, const std::filesystem
   if (extension == ".off") return parse_off(bytes, stand_in);
   if (extension == ".dxf") return parse_dxf(bytes);
   if (extension == ".stl") return parse_binary_stl(bytes);
+  if (extension == ".3mf") return parse_threemf(bytes, stand_in);
   if (extension == ".ply") return parse_ply(bytes, file, stand_in);
   return std::nullopt;
 }
@@ -88,8 +95,11 @@ bool shows_pictures(std::string_view bytes, const std::filesystem::path& file) {
          (extension == ".ply" && names_textures(bytes));
 }
 
-ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vector3d& stand_in) {
+ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vector3d& stand_in,
+                            double chord_error) {
   const std::string bytes = load(file);
+  if (is_step(lower_extension(file)))
+    return read_isolated([&] { return read_step(file, {stand_in, chord_error}); });
   if (shows_pictures(bytes, file))
     return read_isolated([&] { return *parsed(bytes, file, stand_in); });
   if (std::optional<ColouredMesh> mesh = parsed(bytes, file, stand_in)) return std::move(*mesh);
@@ -98,17 +108,22 @@ ColouredMesh read_triangles(const std::filesystem::path& file, const Eigen::Vect
 
 }  // namespace
 
-Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours) {
-  Result<Scene> scene = scene_from(
-      file, colours, [&] { return read_triangles(file, colours.missing.value_or(kUncoloured)); });
-  if (scene) scene.value().files.push_back(file.string());
+Result<Scene> read_mesh(const std::filesystem::path& file, const MeshColours& colours,
+                        double chord_error) {
+  Result<Scene> scene = scene_from(file, colours, [&] {
+    return read_triangles(file, colours.missing.value_or(kUncoloured), chord_error);
+  });
+  if (!scene) return scene;
+  scene.value().files.push_back(file.string());
+  if (is_step(lower_extension(file))) scene.value().chord_error = chord_error;
   return scene;
 }
 
 Result<ColouredMesh> read_coloured_mesh(const std::filesystem::path& file,
-                                        const Eigen::Vector3d& stand_in) {
-  return guarded<ColouredMesh>(
-      file.string(), [&]() -> Result<ColouredMesh> { return read_triangles(file, stand_in); });
+                                        const Eigen::Vector3d& stand_in, double chord_error) {
+  return guarded<ColouredMesh>(file.string(), [&]() -> Result<ColouredMesh> {
+    return read_triangles(file, stand_in, chord_error);
+  });
 }
 
 Result<Scene> parse_mesh(std::string_view bytes, const std::filesystem::path& name,

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <set>
 
 #include "compiler/scene/colour_merging.h"
@@ -49,6 +50,15 @@ std::string name_for(const ColouredMesh& mesh, std::size_t part, const MeshColou
   return {};
 }
 
+// The first of them: a file can have thousands.
+std::string some_of(const std::set<std::string>& names) {
+  constexpr std::ptrdiff_t kMost = 20;
+  if (std::ssize(names) <= kMost) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more",
+                     fmt::join(names.begin(), std::next(names.begin(), kMost), ", "),
+                     std::ssize(names) - kMost);
+}
+
 std::string replace_colours(ColouredMesh& mesh, const MeshColours& colours) {
   std::set<std::string> known;
   for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
@@ -57,7 +67,7 @@ std::string replace_colours(ColouredMesh& mesh, const MeshColours& colours) {
   known.erase("");
   for (const auto& [name, colour] : colours.by_name)
     if (!known.contains(name))
-      return fmt::format("has no part or material '{}'; it has {}", name, fmt::join(known, ", "));
+      return fmt::format("has no part or material '{}'; it has {}", name, some_of(known));
   std::vector<const Vector3d*> by_part;
   for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
     const auto found = colours.by_name.find(name_for(mesh, part, colours));
@@ -89,7 +99,8 @@ std::vector<SurfaceTriangle> with_surfaces(const ColouredMesh& mesh, Scene& scen
     ColourPalette palette(tolerance);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const Vector3d colour = mesh.colours[t].cwiseMax(0).cwiseMin(1);
-      triangles[t] = {mesh.triangles[t], static_cast<std::uint32_t>(palette.find_or_add(colour))};
+      triangles[t] = {mesh.triangles[t], static_cast<std::uint32_t>(palette.find_or_add(colour)),
+                      mesh.part_of[t]};
     }
     if (palette.colours().size() > kMaxPrimitives) continue;
     for (const Vector3d& colour : palette.colours()) scene.surfaces.push_back({colour, colour});
@@ -112,6 +123,40 @@ std::string place(std::vector<Vector3d>& vertices, const std::vector<SurfaceTria
   scene.source_from_object = {radius / fitting, centre_source};
   for (Vector3d& vertex : vertices) vertex = (vertex - centre_source) * (fitting / radius);
   return {};
+}
+
+// As it may stand in a line of text.
+std::string line_name(const MeshPart& part) {
+  constexpr std::size_t kMostBytes = 80;
+  std::string name = part.name.empty() ? part.material : part.name;
+  name.resize(std::min(name.size(), kMostBytes));
+  for (char& letter : name)
+    if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
+  return name;
+}
+
+// A piece is called after the part that has most of its area.
+void name_primitives(const ColouredMesh& mesh, const std::vector<SurfaceTriangle>& triangles,
+                     const std::vector<std::uint32_t>& piece_of, std::vector<std::string>& names) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;  // by piece and part
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t].corners;
+    const auto& v = mesh.vertices;
+    areas[{piece_of[t], triangles[t].part}] += (v[b] - v[a]).cross(v[c] - v[a]).norm();
+  }
+  std::vector<double> most(names.size(), 0);
+  std::vector<std::size_t> others(names.size(), 0);
+  for (const auto& [place, area] : areas) {
+    const auto [piece, part] = place;
+    if (part >= mesh.parts.size()) continue;
+    ++others[piece];
+    if (area <= most[piece]) continue;
+    most[piece] = area;
+    names[piece] = line_name(mesh.parts[part]);
+  }
+  for (std::size_t piece = 0; piece < names.size(); ++piece)
+    if (others[piece] > 1 && !names[piece].empty())
+      names[piece] += fmt::format(" and {} more", others[piece] - 1);
 }
 
 // FNV-1a over whole numbers, twice with different starts.
@@ -186,6 +231,8 @@ Result<Scene> scene_of_mesh(ColouredMesh mesh, const MeshColours& colours) {
     piece_of = pieces_by_surface(triangles);
   }
   scene.primitives = primitives_of(mesh.vertices, triangles, piece_of);
+  scene.names.resize(scene.primitives.size());
+  name_primitives(mesh, triangles, piece_of, scene.names);
   scene.source = source_of(scene);
   return scene;
 }

@@ -155,6 +155,7 @@ struct Scene {
   Studio studio;
   std::vector<Surface> surfaces;
   std::vector<Primitive> primitives;  // a primitive's index + 1 is its surface id in pictures
+  std::vector<std::string> names;  // by primitive, as a mesh calls it; fewer, or empty: it does not
   std::vector<Light> lights;
   std::vector<std::string> warnings;           // one line each, with file and line
   std::vector<MissingColour> missing_colours;  // that another was given to stand for
@@ -162,6 +163,7 @@ struct Scene {
   std::string source;
   SourceFromObject source_from_object;        // of meshes, which are centred and scaled to fit
   std::optional<std::size_t> merged_colours;  // of a mesh whose colours were merged: into so many
+  std::optional<double> chord_error;          // of a STEP file's triangles: see step_mesh.h
   // Every file that was read or looked for, there or not: while what these names hold stays the
   // same, so does the scene.
   std::vector<std::string> files;

@@ -267,6 +267,13 @@ Problem unpack_model(const fb::ClassIndex& root, ClassIndex& index) {
 }
 
 // Without one, the usual one stands.
+Problem unpack_surface_names(const fb::ClassIndex& root, ClassIndex& index) {
+  if (root.surface_names() == nullptr) return {};
+  for (const fb::SurfaceName* name : *root.surface_names())
+    index.surface_names.emplace_back(name->surface(), name->name()->str());
+  return {};
+}
+
 Problem unpack_calibration(const fb::ClassIndex& root, ClassIndex& index) {
   const fb::Calibration* c = root.calibration();
   if (c == nullptr) return {};
@@ -335,9 +342,9 @@ Result<ClassIndex> parse_index(std::span<const std::byte> bytes, const std::stri
   const fb::ClassIndex& root = *fb::GetClassIndex(bytes.data());
   ClassIndex index;
   index.file_bytes = bytes.size();
-  for (const auto& unpack_part :
-       {unpack_settings, unpack_types, unpack_key_views, unpack_classes, unpack_sphere_map,
-        unpack_symmetries, unpack_model, unpack_calibration, unpack_golden_frame}) {
+  for (const auto& unpack_part : {unpack_settings, unpack_types, unpack_key_views, unpack_classes,
+                                  unpack_sphere_map, unpack_symmetries, unpack_surface_names,
+                                  unpack_model, unpack_calibration, unpack_golden_frame}) {
     if (const Problem problem = unpack_part(root, index); problem.found()) return failed(problem);
   }
   if (const Problem problem = colour_key_views(index); problem.found()) return failed(problem);

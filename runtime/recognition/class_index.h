@@ -91,6 +91,8 @@ struct ClassIndex {
   std::vector<ClassContour> class_contours;
   std::vector<TypeScore> type_scores;
   std::vector<std::uint16_t> surfaces;
+  // What the model's file calls those that it has a name for; by surface.
+  std::vector<std::pair<std::uint16_t, std::string>> surface_names;
   std::vector<KeyView> key_views;
   std::vector<KeyContour> key_contours;
   SphereMap sphere_map;  // which class is seen from where

@@ -24,7 +24,7 @@ from its store.
 
 Files:
   NAME.b            Bob scene; with NAME.bo and NAME.bc where it includes them
-  NAME.obj .ply .stl .gltf .glb .dxf .off .3ds
+  NAME.obj .ply .stl .gltf .glb .dxf .off .3ds .3mf .step .stp
                     mesh with materials, face or vertex colours
   NAME.toml         project: names scenes and says what the options say
   NAME.aspect       class index, for aspect-replay and aspectd

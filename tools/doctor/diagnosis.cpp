@@ -23,7 +23,8 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
 std::vector<Finding> mesh_findings(const PreparedObject& object, const ColouredMesh& mesh) {
   const std::string extension = lower_extension(object.scene_file);
   std::vector<Finding> findings = check_topology(face_set_of(mesh)).findings;
-  append(findings, check_unit(mesh, extension == ".gltf" || extension == ".glb"));
+  const bool in_mm = extension == ".step" || extension == ".stp";  // whatever the file's unit
+  if (!in_mm) append(findings, check_unit(mesh, extension == ".gltf" || extension == ".glb"));
   return findings;
 }
 
@@ -46,6 +47,16 @@ std::vector<Finding> colour_findings(const PreparedObject& object, const ColourG
   std::vector<Finding> findings = check_colours(groups, vision);
   append(findings, check_borders(object.scene, groups, sight, vision));
   return findings;
+}
+
+// Places are triangles of the mesh in findings of its topology, surfaces in all others.
+void name_places(const Scene& scene, Finding& finding) {
+  if (finding.group == "topology") return;
+  for (const std::size_t place : finding.where) {
+    if (place == 0 || place > scene.names.size()) continue;
+    const std::string& name = scene.names[place - 1];
+    if (!name.empty()) finding.names.push_back(name);
+  }
 }
 
 }  // namespace
@@ -87,7 +98,8 @@ Result<Diagnosis> diagnose(const PreparedObject& object) {
   Diagnosis diagnosis{scene.name, scene.primitives.size(), {}};
   std::vector<Finding> merging;
   if (is_mesh(object)) {
-    Result<ColouredMesh> mesh = read_coloured_mesh(object.scene_file);
+    Result<ColouredMesh> mesh = read_coloured_mesh(object.scene_file, kUncoloured,
+                                                   scene.chord_error.value_or(kDefaultChordError));
     if (!mesh) return Error{mesh.error()};
     append(diagnosis.findings, mesh_findings(object, mesh.value()));
     Result<std::vector<Finding>> found = merging_findings(object, std::move(mesh).value());
@@ -108,6 +120,7 @@ Result<Diagnosis> diagnose(const PreparedObject& object) {
   append(diagnosis.findings, check_darkness(scene, groups, sight, vision));
   const auto is_crumb = [&](std::size_t part) { return crowd.has_primitive(groups, part); };
   append(diagnosis.findings, check_visibility(sight, vision, distance.far, is_crumb));
+  for (Finding& finding : diagnosis.findings) name_places(scene, finding);
   return diagnosis;
 }
 

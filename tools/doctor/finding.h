@@ -25,6 +25,7 @@ struct Finding {
   // Some of the places: faces of a mesh (triangles as read) or primitives of a Bob scene, from 1.
   std::vector<std::size_t> where;
   bool can_fix = false;
+  std::vector<std::string> names = {};  // that the file has for these places; may be fewer
 
   static constexpr std::size_t kMostPlaces = 10;
 };

@@ -90,7 +90,8 @@ void note_done(const Topology& topology, std::vector<std::string>& done) {
 Result<Done> mend_mesh(const PreparedObject& object, Repair& repaired) {
   const MeshColours colours = mesh_colours(object.settings.mesh);
   const Result<ColouredMesh> mesh =
-      read_coloured_mesh(object.scene_file, colours.missing.value_or(kUncoloured));
+      read_coloured_mesh(object.scene_file, colours.missing.value_or(kUncoloured),
+                         object.scene.chord_error.value_or(kDefaultChordError));
   if (!mesh) return Error{mesh.error()};
   const FaceSet set = face_set_of(mesh.value());
   const Topology topology = check_topology(set);

@@ -39,6 +39,7 @@ void add(const Diagnosis& diagnosis, bool colours, std::string& text) {
           finding.where.size() < finding.count && finding.where.size() == Finding::kMostPlaces
               ? ", ..."
               : "");
+    if (!finding.names.empty()) text += fmt::format(" ({})", fmt::join(finding.names, ", "));
     text += fmt::format("; cure: {}\n", finding.cure);
   }
 }
@@ -58,6 +59,8 @@ Json json_of(const Diagnosis& diagnosis) {
                         {"count", finding.count},
                         {"where", finding.where},
                         {"can_fix", finding.can_fix}});
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    if (!diagnosis.findings[k].names.empty()) findings[k]["names"] = diagnosis.findings[k].names;
   return {{"object", diagnosis.object},
           {"surfaces", diagnosis.primitives},
           {"errors", diagnosis.count(Severity::error)},

@@ -40,6 +40,7 @@ struct Spot {
 struct Face {
   std::vector<std::uint16_t> primitives;  // from 1, as in pictures
   Eigen::Vector3d colour{0, 0, 0};        // as it is seen, linear 0..1
+  std::string name = {};                  // of the first that has one in the file
 };
 
 // Views of one aspect answered with a far view (more than 20 degrees off) of another.

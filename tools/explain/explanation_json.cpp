@@ -34,7 +34,9 @@ Json spots_json(const std::vector<Spot>& spots) {
 }
 
 Json face_json(const Face& face) {
-  return {{"surfaces", face.primitives}, {"colour", vector_json(face.colour)}};
+  Json json{{"surfaces", face.primitives}, {"colour", vector_json(face.colour)}};
+  if (!face.name.empty()) json["name"] = face.name;
+  return json;
 }
 
 Json faces_json(const std::vector<Face>& faces) {
@@ -128,7 +130,7 @@ std::string explanation_json(const Explanation& e) {
                                {"merge_colours", e.crowded->enough}};
   if (e.backgrounds) json["backgrounds"] = backgrounds_json(*e.backgrounds);
   if (!e.cure.changes.empty()) json["cure"] = cure_json(e);
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace aspect

@@ -31,7 +31,8 @@ std::string name(const Face& face) {
                 fmt::join(p.begin(),
                           p.begin() + static_cast<std::ptrdiff_t>(std::min(p.size(), kMostListed)),
                           ","));
-  return fmt::format("{}{} [{}]", number, p.size() > kMostListed ? ",..." : "",
+  const std::string in_file = face.name.empty() ? "" : fmt::format(" '{}'", face.name);
+  return fmt::format("{}{}{} [{}]", number, p.size() > kMostListed ? ",..." : "", in_file,
                      colour(face.colour));
 }
 

@@ -53,6 +53,8 @@ Faces faces_of(const Scene& scene) {
     }
     if (face == faces.all.size()) faces.all.push_back({{}, colour});
     faces.all[face].primitives.push_back(static_cast<std::uint16_t>(k + 1));
+    if (faces.all[face].name.empty() && k < scene.names.size())
+      faces.all[face].name = scene.names[k];
     faces.face_of[k + 1] = face;
   }
   return faces;

@@ -8,6 +8,7 @@
 #include "compiler/scene/scene_reader.h"
 #include "mesh_samples.h"
 #include "scene_samples.h"
+#include "tests/compiler/scene/threemf_samples.h"
 #include "tests/temporary_folder.h"
 
 namespace aspect {
@@ -86,6 +87,12 @@ std::string dxf(const std::string& colour) {
          "0\nENDSEC\n0\nEOF\n";
 }
 
+std::string threemf(const std::string& group) {
+  return zip_of(threemf_of(kThreeMfColours +
+                           tetrahedron(5, "pid=\"" + group + "\" pindex=\"0\"", {}) +
+                           "</resources><build><item objectid=\"5\"/></build>"));
+}
+
 std::string png() {
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", cv::Mat(2, 2, CV_8UC3, cv::Scalar(128, 25, 217)), bytes);
@@ -129,6 +136,8 @@ std::map<std::string, Sample> samples() {
       {"off whole", {"a.off", off + "217 25 128\n", seen}},
       {"off float", {"a.off", off + "0.5 0.25 0.0\n", {127.5, 63.75, 0}}},
       {"3ds COLOR_24", {"a.3ds", tds(), seen}},
+      {"3mf displaycolor", {"a.3mf", threemf("1"), {0x11, 0x80, 0xff}}},
+      {"3mf colorgroup", {"a.3mf", threemf("2"), {255, 0, 0}}},
       {"dxf index (62)", {"a.dxf", dxf("62\n30\n"), {255, 127, 0}}},
       {"dxf true colour (420)", {"a.dxf", dxf("420\n14227840\n"), seen}},
   };
@@ -138,12 +147,13 @@ std::map<std::string, Sample> samples() {
 
 TEST_CASE("every source of colours in the table shows as its specification or viewer has it") {
   const std::map<std::string, Sample> all = samples();
-  CHECK(all.size() == kColourSources.size());
+  CHECK(all.size() + 1 == kColourSources.size());
   const TemporaryFolder folder;
   folder.write("a.png", png());
   for (const ColourSource& source : kColourSources) {
     const std::string name = std::string(source.format) + " " + std::string(source.place);
     INFO(name);
+    if (source.format == "step") continue;  // see step_colour_test.cpp: it needs OpenCASCADE
     REQUIRE(all.contains(name));
     const Sample& sample = all.at(name);
     const bool is_obj = !sample.name.starts_with("a.");

@@ -165,11 +165,11 @@ TEST_CASE("a cube in DXF looks like Bob's, by layer, true colour and polyface") 
 }
 
 TEST_CASE("an unknown extension is refused with those that are known") {
-  const Result<Scene> scene = read_scene("part.step");
+  const Result<Scene> scene = read_scene("part.iges");
   REQUIRE_FALSE(scene.ok());
   CHECK(scene.error() ==
-        "part.step: unknown extension '.step'; give one of .b .obj .ply .stl .gltf .glb .dxf .off "
-        ".3ds");
+        "part.iges: unknown extension '.iges'; give one of .b .obj .ply .stl .gltf .glb .dxf .off "
+        ".3ds .3mf .step .stp");
 }
 
 }  // namespace aspect

@@ -102,7 +102,7 @@ TEST_CASE("sizes that a file only claims are not believed") {
 TEST_CASE("missing, empty and wrong files are refused in one line") {
   const TemporaryFolder folder;
   for (const char* name :
-       {"a.obj", "a.ply", "a.stl", "a.gltf", "a.glb", "a.dxf", "a.off", "a.3ds"}) {
+       {"a.obj", "a.ply", "a.stl", "a.gltf", "a.glb", "a.dxf", "a.off", "a.3ds", "a.3mf"}) {
     const auto path = folder.path() / name;
     const Result<Scene> missing = read_scene(path);
     REQUIRE_FALSE(missing.ok());

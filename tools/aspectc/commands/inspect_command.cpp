@@ -27,6 +27,13 @@ std::string name_of(std::size_t contour) {
   return std::string(contour_name(static_cast<std::uint16_t>(contour), buffer));
 }
 
+// Of an index that anyone may have made.
+std::string printable(std::string name) {
+  for (char& letter : name)
+    if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
+  return name;
+}
+
 Json contour_json(const ClassIndex& index, const ClassContour& contour, std::size_t place) {
   Json json{{"name", name_of(place)}};
   json["share"] = contour.share;
@@ -95,6 +102,8 @@ Json index_json(const ClassIndex& index) {
             {"golden_frame", golden_json(index)},
             {"covered_fraction", covered_fraction(index)},
             {"classes", Json::array()}};
+  for (const auto& [surface, name] : index.surface_names)
+    json["surface_names"][std::to_string(surface)] = name;
   for (const AspectClass& aspect : index.classes) {
     Json entry{{"area_fraction", aspect.area_fraction},
                {"views", aspect.view_count},
@@ -150,6 +159,8 @@ void print_index(const ClassIndex& index) {
                  contours[k].types.count);
     fmt::print("\n");
   }
+  for (const auto& [surface, name] : index.surface_names)
+    fmt::print("surface {}: {}\n", surface, printable(name));
 }
 
 int write_golden_frame(const InspectCommand& command) {
@@ -195,7 +206,9 @@ int run_inspect(const InspectCommand& command) {
     else
       print_index(index);
   }
-  if (command.json) fmt::print("{}\n", (list.size() == 1 ? list.front() : list).dump(2));
+  if (command.json)
+    fmt::print("{}\n", (list.size() == 1 ? list.front() : list)
+                           .dump(2, ' ', false, Json::error_handler_t::replace));
   return 0;
 }
 

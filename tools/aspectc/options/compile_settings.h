@@ -46,7 +46,10 @@ struct SurfaceSettings {
 // [mesh]
 struct MeshSettings {
   std::optional<int> merge_colours;
-  std::map<int, Eigen::Vector3d> colours;  // of the parts of a file that has no colours, from 0
+  // Instead of the file's: by the name of a part or of its material (of a STEP file: of a face, of
+  // a body), or by the part's number from "0".
+  std::map<std::string, Eigen::Vector3d> colours;
+  std::optional<double> chord_error;                  // of STEP files
   std::optional<std::vector<double>> missing_colour;  // r g b; of Bob scenes too
 };
 

@@ -142,6 +142,16 @@ void add_mesh(std::vector<Option>& all) {
       WholeForm{{2, 256}}, [](auto& s) -> auto& { return s.mesh.merge_colours; }));
 }
 
+void add_tessellation(std::vector<Option>& all) {
+  all.push_back(option(
+      {kMesh, "chord_error", "--chord-error", "of the object's size",
+       "largest distance of a STEP file's triangles from its surfaces, as a share of the diagonal "
+       "of "
+       "the box around it [0.001]",
+       "0.0003 to 0.003; half of it has twice the triangles"},
+      NumberForm{{1e-5, 0.1}}, [](auto& s) -> auto& { return s.mesh.chord_error; }));
+}
+
 // What suits one sensor does not suit another: all of the segmentation follows it, and is then
 // changed by the options that come after it.
 void choose_sensor(CompileSettings& settings, const OptionValue& value) {
@@ -341,8 +351,9 @@ void add_run(std::vector<Option>& all) {
 
 std::vector<Option> all_options() {
   std::vector<Option> all;
-  for (const auto add : {add_camera, add_light, add_mesh, add_segmentation, add_relations,
-                         add_matching, add_subdivision, add_classes, add_index, add_run})
+  for (const auto add :
+       {add_camera, add_light, add_mesh, add_tessellation, add_segmentation, add_relations,
+        add_matching, add_subdivision, add_classes, add_index, add_run})
     add(all);
   return all;
 }

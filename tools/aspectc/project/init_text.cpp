@@ -85,8 +85,10 @@ std::string surface_lines(const Scene& scene) {
 }
 
 constexpr std::string_view kPartColours =
-    "# Colours for the parts of a mesh that has none, by their number from 0.\n"
-    "# colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}\n";
+    "# Colours for the parts of a mesh, above all one that has none: by number from 0, by the "
+    "name\n"
+    "# of a part or of its material; of STEP files, of a face or of a whole body.\n"
+    "# colours = {0 = [1, 0, 0], lid = [0, 1, 0], \"lid.face 3\" = [0, 0, 1]}\n";
 
 constexpr std::string_view kObjects = R"(
 # Several objects: leave scene out above and name each here. All of the tables above hold for every

@@ -46,8 +46,7 @@ std::variant<PlannedObjects, PreparationError> plan_objects(const std::filesyste
 
 MeshColours mesh_colours(const MeshSettings& mesh) {
   MeshColours colours;
-  for (const auto& [part, colour] : mesh.colours)
-    colours.by_name.emplace(std::to_string(part), colour);
+  colours.by_name = mesh.colours;
   if (mesh.merge_colours) colours.merged = static_cast<std::size_t>(*mesh.merge_colours);
   if (mesh.missing_colour) colours.missing = Eigen::Vector3d(mesh.missing_colour->data());
   return colours;
@@ -60,6 +59,7 @@ Result<PreparedObject> prepare_object(const ProjectObject& object, const StandIn
                  "out, or name its surfaces' colours with [[surface]]"};
   SceneReading reading{{}, mesh_colours(object.settings.mesh)};
   if (!reading.colours.missing) reading.colours.missing = stand_in;
+  reading.chord_error = object.settings.mesh.chord_error.value_or(kDefaultChordError);
   Result<Scene> scene = read_scene(object.scene, reading);
   if (!scene) return Error{scene.error()};
   PreparedObject prepared{object.scene, std::move(scene).value(), object.settings};

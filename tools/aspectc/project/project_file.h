@@ -7,7 +7,7 @@
 //   [[light.point]]           # instead of the scene's lamps: position, colour, shadows
 //   [[surface]]               # index = N or colour = [r, g, b]; new diffuse and ambient
 //   [mesh]
-//   colours = {0 = [1, 0, 0]} # of the parts of a mesh without colours
+//   colours = {0 = [1, 0, 0]} # of the parts of a mesh, by number or name
 //   merge_colours = 8         # of one that was scanned or shaded
 // Instead of the scene, or beside what holds for all objects:
 //   [[object]]                # scene, name and any of the tables, as [object.subdivision]

@@ -1,7 +1,6 @@
 #include "tools/aspectc/project/project_tables.h"
 
 #include <fmt/format.h>
-#include <charconv>
 
 #include "tools/aspectc/options/option_text.h"
 
@@ -29,14 +28,6 @@ void pass_over_frame_keys(TableReader& reader) {
   std::optional<std::array<int, 4>> region;
   reader.read("one_blob", one_blob);
   reader.read("region_of_interest", {0, 1 << 20}, region);
-}
-
-// A part's number from 0 as the key of a table.
-std::optional<int> part_number(std::string_view key) {
-  int number = 0;
-  const auto [end, fault] = std::from_chars(key.data(), key.data() + key.size(), number);
-  const bool whole = fault == std::errc() && end == key.data() + key.size();
-  return whole && number >= 0 && number <= kMostSurfaces ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace
@@ -122,13 +113,8 @@ std::optional<Error> ProjectTables::read_part_colours(const toml::table* table,
   if (table == nullptr) return std::nullopt;
   TableReader colour_reader(*table, file_, prefix_ + "mesh.colours");
   for (const auto& [key, node] : *table) {
-    const auto part = part_number(key.str());
     const auto colour = read_vector(colour_reader, key.str(), kColourRange);
-    if (!part)
-      colour_reader.fail(key.str(),
-                         fmt::format("is no part; write its number, 0 to {}", kMostSurfaces));
-    else if (colour)
-      mesh.colours[*part] = *colour;
+    if (colour) mesh.colours[std::string(key.str())] = *colour;
   }
   return colour_reader.finish();
 }

@@ -1,0 +1,29 @@
+#include "compiler/scene/step_mesh.h"
+
+#include <dlfcn.h>
+
+#include <fmt/format.h>
+
+namespace aspect {
+
+ColouredMesh read_step(const std::filesystem::path& file, const StepReading& reading) {
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  const std::filesystem::path module = program.parent_path() / kStepModule;
+  if (!std::filesystem::exists(module, unknown))
+    throw MeshError(
+        "this build reads no STEP; install libocct-data-exchange-dev (tools/setup.sh build) and "
+        "build again, or export a mesh with colours");
+  void* loaded = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* found = loaded == nullptr ? nullptr : ::dlsym(loaded, kReadStepFile);
+  if (found == nullptr) {
+    const char* fault = ::dlerror();
+    throw MeshError(fmt::format("{} cannot be loaded ({}); build again", module.string(),
+                                fault == nullptr ? "unknown" : fault));
+  }
+  ColouredMesh mesh;
+  reinterpret_cast<ReadStepFile>(found)(file.c_str(), reading, mesh);
+  return mesh;
+}
+
+}  // namespace aspect
