@@ -1,8 +1,8 @@
 // STEP files (AP203, AP214, AP242), through a module of its own: compiler/step.
 //
 // The module needs OpenCASCADE and is built where that is found. It is loaded for the first STEP
-// file and lies beside the program, so that nothing else needs it, or waits for it to load:
-// measured, 40 ms.
+// file and lies beside the program or in ../lib/aspect, so that nothing else needs it, or waits for
+// it to load: measured, 40 ms.
 #pragma once
 
 #include <filesystem>
