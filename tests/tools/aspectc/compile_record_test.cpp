@@ -126,8 +126,8 @@ TEST_CASE("lamps, surfaces and colours of parts stand in the settings' text") {
   all[2].light.lamps.push_back({{1, 2, 3}, {1, 1, 1}, false});
   all[3].surfaces.push_back({"p.toml:3", 1, {}, Eigen::Vector3d{1, 0, 0}, {}});
   all[4].surfaces.push_back({"p.toml:3", 1, {}, {}, Eigen::Vector3d{1, 0, 0}});
-  all[5].mesh.colours[0] = {1, 0, 0};
-  all[6].mesh.colours[1] = {1, 0, 0};
+  all[5].mesh.colours["0"] = {1, 0, 0};
+  all[6].mesh.colours["1"] = {1, 0, 0};
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) CHECK(settings_text(all[i]) != settings_text(all[k]));
   CompileSettings moved = all[3];

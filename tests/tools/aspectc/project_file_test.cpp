@@ -76,7 +76,7 @@ diffuse = [1, 0, 0]
 colour = [0, 1, 0]
 ambient = [0, 0, 1]
 [mesh]
-colours = {0 = [1, 0, 0], 12 = [0, 0.5, 0]}
+colours = {0 = [1, 0, 0], 12 = [0, 0.5, 0], "lid.face 3" = [0, 0, 1]}
 )",
                                         "p.toml")
                               .value();
@@ -89,8 +89,9 @@ colours = {0 = [1, 0, 0], 12 = [0, 0.5, 0]}
   CHECK(settings.surfaces[0].place == "p.toml:9");
   CHECK(settings.surfaces[1].colour == Eigen::Vector3d(0, 1, 0));
   CHECK(settings.surfaces[1].ambient == Eigen::Vector3d(0, 0, 1));
-  REQUIRE(settings.mesh.colours.size() == 2);
-  CHECK(settings.mesh.colours.at(12) == Eigen::Vector3d(0, 0.5, 0));
+  REQUIRE(settings.mesh.colours.size() == 3);
+  CHECK(settings.mesh.colours.at("lid.face 3") == Eigen::Vector3d(0, 0, 1));
+  CHECK(settings.mesh.colours.at("12") == Eigen::Vector3d(0, 0.5, 0));
 }
 
 TEST_CASE("what is wrong with a project is one line with file and line") {
@@ -117,7 +118,6 @@ TEST_CASE("what is wrong with a project is one line with file and line") {
        "folder/p.toml:4: [surface] colour and index are given"},
       {"scene = \"a\"\n[[light.point]]\ncolour = [1, 1, 1]",
        "folder/p.toml:2: [light.point] position is missing"},
-      {"scene = \"a\"\n[mesh]\ncolours = {x = [1, 0, 0]}", "folder/p.toml:3: [mesh.colours] x is"},
       {"scene = \"a\"\n[mesh]\ncolours = {0 = [1, 0]}", "folder/p.toml:3: [mesh.colours] 0 is"},
       {"scene = \"a\"\n\n= 1", "folder/p.toml:3: not TOML"},
       {"scene = \"a\n", "folder/p.toml:1: not TOML"},

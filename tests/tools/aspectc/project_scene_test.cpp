@@ -210,7 +210,7 @@ TEST_CASE(
   for (const char* line :
        {"name = \"part\"", "[[light.point]]", "position = [2, 2, 2]", "colour = [1, 1, 1]",
         "[[surface]]", "diffuse = [0.8, 0.1, 0.1]", "ambient = [0.2, 0.8, 0.1]",
-        "colours = {0 = [1, 0, 0], 1 = [0, 1, 0]}", "[[object]]"})
+        "colours = {0 = [1, 0, 0], lid = [0, 1, 0], \"lid.face 3\" = [0, 0, 1]}", "[[object]]"})
     CHECK_THAT(text, Contains(std::string("\n# ") + line + "\n"));
   CHECK_THAT(text, Contains("\n[mesh]\n"));
 }

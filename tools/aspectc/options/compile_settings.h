@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/aspects/compile_options.h"
+#include "compiler/scene/step_mesh.h"
 
 namespace aspect {
 
@@ -49,7 +50,7 @@ struct MeshSettings {
   // Instead of the file's: by the name of a part or of its material (of a STEP file: of a face, of
   // a body), or by the part's number from "0".
   std::map<std::string, Eigen::Vector3d> colours;
-  std::optional<double> chord_error;                  // of STEP files
+  double chord_error = kDefaultChordError;            // of STEP files
   std::optional<std::vector<double>> missing_colour;  // r g b; of Bob scenes too
 };
 

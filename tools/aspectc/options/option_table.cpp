@@ -144,10 +144,8 @@ void add_mesh(std::vector<Option>& all) {
 
 void add_tessellation(std::vector<Option>& all) {
   all.push_back(option(
-      {kMesh, "chord_error", "--chord-error", "of the object's size",
-       "largest distance of a STEP file's triangles from its surfaces, as a share of the diagonal "
-       "of "
-       "the box around it [0.001]",
+      {kMesh, "chord_error", "--chord-error", "of the diagonal of its box",
+       "largest distance of a STEP file's triangles from its surfaces",
        "0.0003 to 0.003; half of it has twice the triangles"},
       NumberForm{{1e-5, 0.1}}, [](auto& s) -> auto& { return s.mesh.chord_error; }));
 }

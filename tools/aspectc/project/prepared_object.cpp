@@ -59,7 +59,7 @@ Result<PreparedObject> prepare_object(const ProjectObject& object, const StandIn
                  "out, or name its surfaces' colours with [[surface]]"};
   SceneReading reading{{}, mesh_colours(object.settings.mesh)};
   if (!reading.colours.missing) reading.colours.missing = stand_in;
-  reading.chord_error = object.settings.mesh.chord_error.value_or(kDefaultChordError);
+  reading.chord_error = object.settings.mesh.chord_error;
   Result<Scene> scene = read_scene(object.scene, reading);
   if (!scene) return Error{scene.error()};
   PreparedObject prepared{object.scene, std::move(scene).value(), object.settings};
