@@ -122,7 +122,7 @@ TEST_CASE("Raw files whose name or size is no good are refused in one line") {
   CHECK_THAT(error("a.-4x4.YUYV", 32), StartsWith("-4 x 4 px; nothing can be seen"));
   CHECK_THAT(error("a.99999999999x4.YUYV", 32), StartsWith("the name does not say the size"));
   CHECK_THAT(error("a.4x4.H264", 32), Contains("H264 is no format of raw frames") &&
-                                          Contains("YUYV UYVY NV12 NV21 RGB3 BGR3 GREY RGGB"));
+                                          Contains("YUYV UYVY NV12 NV21 RGB3 BGR3 XB24 XR24 GREY RGGB"));
   CHECK_THAT(error("a.0x0.YUYV", 32), StartsWith("0 x 0 px; nothing can be seen"));
   CHECK_THAT(error("a.8200x4.RGB3", 32), StartsWith("8200 x 4 px; at most 8192"));
   CHECK_THAT(error("a.8000x8000.GREY", 32), StartsWith("8000 x 8000 px; at most 16 megapixels"));
