@@ -21,7 +21,7 @@ void add_source(const aspect_source& source, IndexSet& set) {
   }
   // Aligned as FlatBuffers needs it, wherever the caller has them.
   std::vector<std::uint64_t> words((source.byte_count + 7) / 8);
-  std::memcpy(words.data(), source.bytes, source.byte_count);
+  if (source.byte_count > 0) std::memcpy(words.data(), source.bytes, source.byte_count);
   Result<std::vector<ClassIndex>> indexes =
       parse_index_file(std::as_bytes(std::span(words)).first(source.byte_count), source.name);
   if (!indexes)

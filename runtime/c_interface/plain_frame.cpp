@@ -1,7 +1,7 @@
 #include "runtime/c_interface/plain_frame.h"
 
 #include <array>
-#include <cstdlib>
+#include <cstring>
 
 #include "runtime/vision/pixel_rows.h"
 #include "runtime/vision/vision_limits.h"
@@ -18,13 +18,20 @@ constexpr std::array kFormats = {
 static_assert(kFormats[ASPECT_BAYER_BGGR8] == PixelFormat::bayer_bggr8 &&
               kFormats[ASPECT_YUYV8] == PixelFormat::yuyv8);
 
+// An enumeration of C holds whatever number it is given; C++ may not load another one as such.
+template <typename Enumeration>
+std::size_t number_of(const Enumeration& value) {
+  static_assert(sizeof value == sizeof(unsigned));
+  unsigned number = 0;
+  std::memcpy(&number, &value, sizeof number);
+  return number;
+}
+
 }  // namespace
 
 CheckedFrame checked_frame(const aspect_frame& given, SensorKind sensor) noexcept {
   const int width = given.width_px, height = given.height_px;
-  // An enumeration of C holds whatever number it is given.
-  const auto format = static_cast<std::size_t>(given.format);
-  const auto matrix = static_cast<std::size_t>(given.yuv_matrix);
+  const std::size_t format = number_of(given.format), matrix = number_of(given.yuv_matrix);
   if (given.data == nullptr) return {ASPECT_BAD_ARGUMENT, {}};
   if (width < 1 || height < 1 || width > kMaxFrameSide_px || height > kMaxFrameSide_px ||
       width * height > kMaxFramePixels)

@@ -191,7 +191,7 @@ TEST_CASE("frames that are none are refused, and say so") {
   CHECK(aspect_recognise(nullptr, &good, &seen) == ASPECT_BAD_ARGUMENT);
   CHECK(aspect_recognise(opened.get(), nullptr, &seen) == ASPECT_BAD_ARGUMENT);
   CHECK(aspect_recognise(opened.get(), &good, nullptr) == ASPECT_BAD_ARGUMENT);
-  for (int code = -1; code < 6; ++code)
+  for (int code = ASPECT_OK; code <= ASPECT_NO_MEMORY; ++code)
     CHECK(std::string(aspect_status_text(static_cast<aspect_status>(code))).size() > 3);
 }
 
