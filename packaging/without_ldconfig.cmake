@@ -1,8 +1,9 @@
-# Run by cpack when packages are made: cpack gives a library's package scripts that call ldconfig,
+# Run by cpack when packages are made: cpack gives packages with a library, or a module that only a
+# program of theirs loads, scripts that call ldconfig,
 # which Debian has had a trigger for since 2015 (packaging/lib/triggers). Without scripts it can also be
 # installed into a root file system of another processor.
 foreach(package IN LISTS CPACK_PACKAGE_FILES)
-  if(NOT package MATCHES "/libaspect_[^/]*\\.deb$")
+  if(NOT package MATCHES "/(libaspect|aspect-compiler)_[^/]*\\.deb$")
     continue()
   endif()
   set(tree ${package}.tree)
