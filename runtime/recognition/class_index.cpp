@@ -266,7 +266,6 @@ Problem unpack_model(const fb::ClassIndex& root, ClassIndex& index) {
   return {};
 }
 
-// Without one, the usual one stands.
 Problem unpack_surface_names(const fb::ClassIndex& root, ClassIndex& index) {
   if (root.surface_names() == nullptr) return {};
   for (const fb::SurfaceName* name : *root.surface_names())
@@ -274,6 +273,7 @@ Problem unpack_surface_names(const fb::ClassIndex& root, ClassIndex& index) {
   return {};
 }
 
+// Without one, the usual one stands.
 Problem unpack_calibration(const fb::ClassIndex& root, ClassIndex& index) {
   const fb::Calibration* c = root.calibration();
   if (c == nullptr) return {};

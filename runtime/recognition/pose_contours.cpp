@@ -1,7 +1,6 @@
 #include "runtime/recognition/pose_contours.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "runtime/recognition/seen_colours.h"
@@ -33,11 +32,6 @@ bool is_about(const Contour& contour, const Point2d& centre) {
   const double dx = static_cast<double>(contour.centre_px.x) - centre.x,
                dy = static_cast<double>(contour.centre_px.y) - centre.y;
   return dx * dx + dy * dy < kMostOfWidth * kMostOfWidth * static_cast<double>(contour.area_px);
-}
-
-std::array<float, 3> share_of(const std::array<float, 3>& rgb) {
-  const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
-  return {rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
 }
 
 }  // namespace

@@ -21,6 +21,11 @@ float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>
   return sum;
 }
 
+std::array<float, 3> share_of(const std::array<float, 3>& rgb) {
+  const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
+  return {rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
+}
+
 std::size_t nearest_share(std::span<const std::array<float, 3>> shares,
                           const std::array<float, 3>& share) {
   std::size_t nearest = shares.size();

@@ -22,6 +22,9 @@ struct LightGain {
 
 float squared_distance(const std::array<float, 3>& a, const std::array<float, 3>& b);
 
+// Of a region's mean colour, 0 to 255.
+std::array<float, 3> share_of(const std::array<float, 3>& rgb);
+
 // The place of the share that is nearest; shares.size() where none is near enough to be named.
 std::size_t nearest_share(std::span<const std::array<float, 3>> shares,
                           const std::array<float, 3>& share);

@@ -16,11 +16,6 @@ namespace {
 // blob is blur.
 constexpr float kSeen = 0.75F, kLeastShare = 0.01F;
 
-ColourShare share_of(const std::array<float, 3>& rgb) {
-  const float sum = std::max(1.0F, rgb[0] + rgb[1] + rgb[2]);
-  return {rgb[0] / sum, rgb[1] / sum, rgb[2] / sum};
-}
-
 std::span<const ClassContour> contours_of(const ClassIndex& index, std::size_t class_id) {
   return ClassIndex::part(index.class_contours, index.classes[class_id].contours);
 }
