@@ -27,6 +27,7 @@ build_packages=(
 test_packages=(
   catch2 python3 python3-pil                             # tests
   mandoc zsh                                             # which read manual pages and completions
+  chromium chromium-driver                              # which read pages
   libdxflib-dev                                          # whose colours ours are compared with
   libopencv-calib3d-dev                                  # whose lens ours is compared with
   povray                                                 # the renderer that ours is compared with
