@@ -20,9 +20,11 @@ struct Hypothesis {
   double class_score = 0;          // the thesis's, equation 4.2
   int matched = 0, unmatched = 0;  // of the frame's contours
   Vector3 view{};                  // unit vector from the object's centre to the camera
+  float least_cost = 0;            // no key view of its class fits better; views only
   float roll_rad = 0;              // the frame is turned by this against the key view; views only
   ViewStart start;                 // views only
-  bool is_second_view = false;     // its class is there already, with a better key view elsewhere
+  bool is_joined = false;       // found by what light has parted taken together (blob_features.h)
+  bool is_second_view = false;  // its class is there already, with a better key view elsewhere
   const VerifiedPose* pose = nullptr;  // null: none was looked for
   std::span<const ContourMatch> contours;
 };

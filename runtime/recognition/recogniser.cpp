@@ -12,6 +12,8 @@ namespace {
 
 // Classes that go on to the fit of their key views.
 constexpr std::size_t kMaxCandidates = 512;
+// Of these, before second views and what is joined come to them.
+constexpr std::size_t kMaxLikely = 192;
 
 // What reaches from border to border both ways is what stands behind.
 bool fills_frame(const Box& box, const Frame& frame) {
@@ -97,6 +99,8 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   parameters_.top = std::clamp(parameters.top, 1, kMaxHypotheses);
   vision_.prepare(arena, width_px, height_px, parameters_.vision.sensor);
   class_matcher_.prepare(arena, indexes);
+  bounds_.prepare(arena, indexes);
+  likely_ = arena.take<LikelyClass>(kMaxLikely);
   candidates_ = arena.take<Hypothesis>(kMaxCandidates);
   const auto top = static_cast<std::size_t>(parameters_.top);
   // What is found anywhere comes on top, until it is known which blobs it explains.
@@ -166,26 +170,22 @@ std::size_t Recogniser::blob_at(const Box& box) const {
 SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph,
                                       std::size_t blob_place) {
   const Blob& blob = graph.blobs[blob_place];
-  std::array<ContourFeature, kMaxSide> features;
-  std::size_t count = 0;
-  const auto contours = graph.contours.subspan(static_cast<std::size_t>(blob.first_contour),
-                                               static_cast<std::size_t>(blob.contour_count));
-  // Holes say nothing that the regions around and in them do not.
-  for (const Contour& contour : contours) {
-    if (!contour.external || count == kMaxSide) continue;
-    contour_of_feature_[count] = static_cast<std::uint16_t>(&contour - graph.contours.data());
-    features[count++] = feature_of(contour, blob);
-  }
-  const auto seen = std::span<const ContourFeature>(features).first(count);
+  features_of(graph, blob_place, as_seen_);
+  const std::size_t count = as_seen_.count;
   if (looks_anywhere() && fills_frame(blob.box, frame))
     return {blob.box, static_cast<int>(count), {Verdict::unknown}, {}, blob_place};
   if (deadline_.is_over()) {
     ++left_undone_.objects;
     return {blob.box, static_cast<int>(count), {Verdict::unknown}, {}, blob_place};
   }
-  std::size_t candidates = shortlist(seen);
-  if (parameters_.ranking == RecogniserParameters::Ranking::views) {
-    candidates = view_search_.run(seen, candidates_, candidates, deadline_);
+  std::size_t candidates = 0;
+  if (parameters_.ranking == RecogniserParameters::Ranking::classes) {
+    candidates = shortlist(as_seen_.seen());
+  } else {
+    candidates = find_views(as_seen_.seen(), candidates_);
+    if (parameters_.vision.sensor == SensorKind::colour &&
+        join_alike(graph, vision_.regions(), blob_place, parameters_.vision, joined_))
+      candidates = add_joined(candidates);
     // A model has colours, which other sensors do not see.
     if (parameters_.poses && parameters_.vision.sensor == SensorKind::colour)
       find_poses(candidates, blob_place);
@@ -203,7 +203,7 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
   std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(reported), list.end(),
                     better);
   for (const Hypothesis& hypothesis : list.first(reported))
-    if (hypothesis.score >= parameters_.score_min) report(hypothesis, seen);
+    if (hypothesis.score >= parameters_.score_min) report(hypothesis);
   const auto hypotheses = hypotheses_.subspan(first, hypothesis_count_ - first);
   SeenObject object{blob.box, static_cast<int>(count),
                     judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses,
@@ -254,6 +254,66 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
     }
   }
   return count;
+}
+
+// Those whose key views may fit best, by bounds, fitted.
+std::size_t Recogniser::find_views(std::span<const ContourFeature> features,
+                                   std::span<Hypothesis> room) {
+  bounds_.set_contours(features);
+  const auto less = [](const LikelyClass& a, const LikelyClass& b) {
+    if (a.least_cost != b.least_cost) return a.least_cost < b.least_cost;
+    return a.index != b.index ? a.index < b.index : a.class_id < b.class_id;
+  };
+  const std::size_t most = std::min(likely_.size(), room.size());
+  const auto begin = likely_.begin();
+  std::size_t count = 0;
+  const auto end = [&] { return begin + static_cast<std::ptrdiff_t>(count); };
+  for (std::size_t i = 0; i < indexes_.size() && !deadline_.is_over(); ++i) {
+    // Once there are too many, a heap with the least likely on top.
+    const auto bar = [&] { return count < most ? bounds_.most_cost() : likely_[0].least_cost; };
+    if (bounds_.least_cost(i) >= bar()) continue;
+    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
+      const LikelyClass likely{bounds_.least_cost(i, c), static_cast<std::uint16_t>(i),
+                               static_cast<std::uint16_t>(c)};
+      if (likely.least_cost >= bar()) continue;
+      if (count == most) {
+        std::pop_heap(begin, end(), less);
+        likely_[count - 1] = likely;
+        std::push_heap(begin, end(), less);
+      } else {
+        likely_[count++] = likely;
+        if (count == most) std::make_heap(begin, end(), less);
+      }
+    }
+  }
+  std::sort(begin, end(), less);
+  for (std::size_t k = 0; k < count; ++k) {
+    Hypothesis& hypothesis = room[k];
+    hypothesis = {};
+    hypothesis.index = likely_[k].index;
+    hypothesis.class_id = likely_[k].class_id;
+    hypothesis.least_cost = likely_[k].least_cost;
+    hypothesis.view = indexes_[hypothesis.index].classes[hypothesis.class_id].view;
+  }
+  return view_search_.run(features, room, count, deadline_);
+}
+
+// Behind the candidates, those for what light has parted taken together. Of two of one class the
+// one that fits worse was only worth a try.
+std::size_t Recogniser::add_joined(std::size_t candidates) {
+  const auto room = candidates_.subspan(candidates);
+  const std::size_t count = find_views(joined_.seen(), room);
+  for (Hypothesis& hypothesis : room.first(count)) hypothesis.is_joined = true;
+  const auto all = candidates_.first(candidates + count);
+  std::sort(all.begin(), all.end(), [](const Hypothesis& a, const Hypothesis& b) {
+    if (a.index != b.index) return a.index < b.index;
+    if (a.class_id != b.class_id) return a.class_id < b.class_id;
+    return a.score != b.score ? a.score > b.score : a.is_joined < b.is_joined;
+  });
+  for (std::size_t k = 0; k < all.size(); ++k)
+    all[k].is_second_view =
+        k > 0 && all[k].index == all[k - 1].index && all[k].class_id == all[k - 1].class_id;
+  return all.size();
 }
 
 void Recogniser::find_poses(std::size_t candidates, std::size_t blob) {
@@ -357,20 +417,21 @@ std::size_t Recogniser::join_found(std::size_t alone_count, std::size_t count) {
 }
 
 // Moves a hypothesis to the result, with the contours that its class matches.
-void Recogniser::report(const Hypothesis& hypothesis, std::span<const ContourFeature> features) {
+void Recogniser::report(const Hypothesis& hypothesis) {
   const ClassIndex& index = indexes_[hypothesis.index];
-  class_matcher_.set_contours(index, features);
+  const BlobFeatures& features = hypothesis.is_joined ? joined_ : as_seen_;
+  class_matcher_.set_contours(index, features.seen());
   const ClassMatch match = class_matcher_.match(index, hypothesis.class_id, parameters_.matching);
   const std::size_t first = match_count_;
-  for (std::size_t i = 0; i < features.size(); ++i) {
+  for (std::size_t i = 0; i < features.count; ++i) {
     if (match.assignment.column_of[i] < 0 || match_count_ == contour_matches_.size()) continue;
-    contour_matches_[match_count_++] = {contour_of_feature_[i],
+    contour_matches_[match_count_++] = {features.contours[i],
                                         static_cast<std::uint16_t>(match.assignment.column_of[i])};
   }
   Hypothesis& reported = hypotheses_[hypothesis_count_++];
   reported = hypothesis;
   reported.matched = match.assignment.matched;
-  reported.unmatched = static_cast<int>(features.size()) - reported.matched;
+  reported.unmatched = static_cast<int>(features.count) - reported.matched;
   reported.class_score = match.score;
   reported.contours = contour_matches_.subspan(first, match_count_ - first);
 }

@@ -11,6 +11,8 @@
 
 #include "runtime/base/arena.h"
 #include "runtime/base/deadline.h"
+#include "runtime/recognition/blob_features.h"
+#include "runtime/recognition/class_bounds.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/class_match.h"
 #include "runtime/recognition/hypothesis.h"
@@ -132,6 +134,8 @@ class Recogniser {
   std::size_t blob_at(const Box& box) const;
   SeenObject recognise_blob(const Frame& frame, const ViewGraph& graph, std::size_t blob_place);
   std::size_t shortlist(std::span<const ContourFeature> features);
+  std::size_t find_views(std::span<const ContourFeature> features, std::span<Hypothesis> room);
+  std::size_t add_joined(std::size_t candidates);
   void find_poses(std::size_t candidates, std::size_t blob);
   bool looks_anywhere() const;
   std::size_t add_found(const SceneObject& found, std::span<const Contour> contours,
@@ -139,16 +143,23 @@ class Recogniser {
   std::size_t search_scene(const Frame& frame, std::span<const Contour> contours,
                            std::size_t objects);
   std::size_t join_found(std::size_t alone_count, std::size_t count);
-  void report(const Hypothesis& hypothesis, std::span<const ContourFeature> features);
+  void report(const Hypothesis& hypothesis);
 
   std::span<const ClassIndex> indexes_;
   RecogniserParameters parameters_;
   Vision vision_;
+  // A class, and what its key views cost at the very least.
+  struct LikelyClass {
+    float least_cost = 0;
+    std::uint16_t index = 0, class_id = 0;
+  };
+  ClassBounds bounds_;
+  std::span<LikelyClass> likely_;
   std::span<Hypothesis> candidates_;
   std::span<Hypothesis> hypotheses_;
   std::span<ContourMatch> contour_matches_;
   std::span<SeenObject> objects_;
-  std::array<std::uint16_t, kMaxSide> contour_of_feature_{};
+  BlobFeatures as_seen_, joined_;  // of the blob at hand
   std::size_t hypothesis_count_ = 0, match_count_ = 0;
   ClassMatcher class_matcher_;
   ViewSearch view_search_;

@@ -19,6 +19,12 @@ constexpr float kNear_cos = 0.94F;  // 20 degrees
 constexpr std::size_t kCoarseShare = 3, kFewestCoarse = 4;
 constexpr float kWorthFactor = 4, kWorthLeast = 8;
 
+// A fit that costs this much is not worth to be worked out where another one costs `least`.
+float give_up(float least) {
+  constexpr float kFactor = 4, kLeast = 8;
+  return std::max(kLeast, kFactor * least);
+}
+
 float cos_between(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -76,7 +82,6 @@ const KeyView* ViewSearch::Fitted::elsewhere(std::span<const KeyView* const> tak
 
 ViewSearch::Best ViewSearch::fit_class(const ClassIndex& index, const AspectClass& aspect,
                                        float least_cost) {
-  constexpr float kGiveUpFactor = 4, kGiveUpLeast = 8;
   fitted_.count = 0;
   Best best;
   best.fit.cost = std::numeric_limits<float>::infinity();
@@ -89,8 +94,8 @@ ViewSearch::Best ViewSearch::fit_class(const ClassIndex& index, const AspectClas
     if (k >= coarse &&
         fitted_.cost_nearest(view, coarse) > std::max(kWorthLeast, kWorthFactor * least))
       continue;
-    const ViewFit fit = fitter_.fit(ClassIndex::part(index.key_contours, view.contours),
-                                    std::max(kGiveUpLeast, kGiveUpFactor * least));
+    const ViewFit fit =
+        fitter_.fit(ClassIndex::part(index.key_contours, view.contours), give_up(least));
     fitted_.add(view, fit.cost);
     if (fit.cost >= best.fit.cost) continue;
     best = {fit, &view};
@@ -120,11 +125,11 @@ void ViewSearch::raise_neighbours(std::span<Hypothesis> list) const {
 std::size_t ViewSearch::run(std::span<const ContourFeature> seen, std::span<Hypothesis> room,
                             std::size_t count, const Deadline& deadline) {
   fitter_.set_contours(seen);
-  // What fits well early spares others most of their views.
-  std::sort(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(count), better);
   float least_cost = std::numeric_limits<float>::infinity();
-  std::size_t end = count;
-  for (Hypothesis& hypothesis : room.first(count)) {
+  const auto is_fitted = [&](const Hypothesis& h) { return h.least_cost < give_up(least_cost); };
+  std::size_t fitted = 0, end = count;
+  for (; fitted < count && is_fitted(room[fitted]); ++fitted) {
+    Hypothesis& hypothesis = room[fitted];
     if (deadline.is_over()) {
       hypothesis.score = 0;
       continue;
@@ -159,8 +164,12 @@ std::size_t ViewSearch::run(std::span<const ContourFeature> seen, std::span<Hypo
           fitter_.fit(ClassIndex::part(index.key_contours, taken[k]->contours), 2 * most_cost));
     }
   }
-  raise_neighbours(room.first(end));
-  return end;
+  // What is too unlikely to be fitted makes room for the second views.
+  const auto seconds = room.subspan(count, end - count);
+  std::move(seconds.begin(), seconds.end(), room.begin() + static_cast<std::ptrdiff_t>(fitted));
+  const std::size_t all = fitted + seconds.size();
+  raise_neighbours(room.first(all));
+  return all;
 }
 
 }  // namespace aspect

@@ -17,10 +17,11 @@ class ViewSearch {
   // `indexes` must outlive the search.
   void prepare(std::span<const ClassIndex> indexes) { indexes_ = indexes; }
 
-  // Scores each of the first `count` hypotheses of `room` by its class's best key view; behind
-  // them, as far as there is room, come second views of the same classes, seen from elsewhere, that
-  // fit about as well. Returns how many there are then. What the deadline leaves no time for has
-  // score 0.
+  // The first `count` hypotheses of `room` say what their classes cost at the very least, in
+  // ascending order. Scores each by its class's best key view, as long as it may fit about as well
+  // as the best; the others are taken away. Behind come, as far as there is room, second views of
+  // the same classes, seen from elsewhere, that fit about as well. Returns how many there are then.
+  // What the deadline leaves no time for has score 0.
   std::size_t run(std::span<const ContourFeature> seen, std::span<Hypothesis> room,
                   std::size_t count, const Deadline& deadline = {});
 
