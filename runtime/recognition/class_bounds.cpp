@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "runtime/base/portable_math.h"
+#include "runtime/recognition/seen_colours.h"
 
 namespace aspect {
 namespace {
@@ -18,10 +19,6 @@ float square(float x) {
 // How far a value is from the nearest one of a range.
 float distance_to(float value, float least, float most) {
   return std::max({least - value, value - most, 0.0F});
-}
-
-float squared_difference(const std::array<float, 3>& a, const std::array<float, 3>& b) {
-  return square(a[0] - b[0]) + square(a[1] - b[1]) + square(a[2] - b[2]);
 }
 
 }  // namespace
@@ -106,7 +103,7 @@ float ClassBounds::least_cost(std::size_t index) const {
   for (std::size_t i = 0; i < seen_count_; ++i) {
     float least = seen_[i].alone * unit;
     for (const std::array<float, 3>& share : shares)
-      least = std::min(least, squared_difference(seen_[i].share, share));
+      least = std::min(least, squared_distance(seen_[i].share, share));
     total += least / unit;
   }
   return total * kRounding;
@@ -124,7 +121,7 @@ float ClassBounds::least_cost(std::size_t index, std::size_t class_id) const {
     float least = seen.alone;
     for (const Range& range : ranges) {
       const float cost =
-          squared_difference(seen.share, range.share) / square(scales_.share) +
+          squared_distance(seen.share, range.share) / square(scales_.share) +
           square(distance_to(seen.area, range.least_area, range.most_area) / scales_.area) +
           square(distance_to(seen.radius, range.least_radius, range.most_radius) /
                  scales_.position);

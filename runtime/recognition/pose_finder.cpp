@@ -19,16 +19,22 @@ struct DrawnArea {
   Point2d centre_px;
 };
 
-DrawnArea drawn_area(const ModelDrawing& drawing) {
+DrawnArea drawn_area(const ModelDrawing& drawing, const Box& looked_at) {
+  const auto left = static_cast<float>(looked_at.x), top = static_cast<float>(looked_at.y),
+             right = left + static_cast<float>(looked_at.width),
+             bottom = top + static_cast<float>(looked_at.height);
   DrawnArea drawn;
   int count = 0;
   double x = 0, y = 0;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
-      if (drawing.cell(column, row).colour == kBackgroundClass) continue;
+      const float cell_x = drawing.x_px(column), cell_y = drawing.y_px(row);
+      if (drawing.cell(column, row).colour == kBackgroundClass || cell_x < left ||
+          cell_x >= right || cell_y < top || cell_y >= bottom)
+        continue;
       ++count;
-      x += static_cast<double>(drawing.x_px(column));
-      y += static_cast<double>(drawing.y_px(row));
+      x += static_cast<double>(cell_x);
+      y += static_cast<double>(cell_y);
     }
   drawn.area_px = static_cast<float>(count) * drawing.cell_px() * drawing.cell_px();
   if (count > 0) drawn.centre_px = {x / count, y / count};
@@ -45,7 +51,8 @@ void PoseFinder::prepare(Arena& arena, std::span<const ClassIndex> indexes) {
 }
 
 RigidPose PoseFinder::start(const ClassIndex& index, const ViewStart& view,
-                            const CameraModel& camera, const Blob& blob, int corrections) {
+                            const CameraModel& camera, const Blob& blob, const Box& looked_at,
+                            int corrections) {
   const ObjectModel& model = index.model;
   const Point2d centre = camera.straight(
       {static_cast<double>(blob.centre_px.x), static_cast<double>(blob.centre_px.y)});
@@ -63,7 +70,7 @@ RigidPose PoseFinder::start(const ClassIndex& index, const ViewStart& view,
     pose.translation = depth * ray - pose.rotation(model.centre);
     if (round == corrections || !scratch_.drawing.draw(model, pose, camera, blob.box, kCoarseCells))
       return pose;
-    const DrawnArea drawn = drawn_area(scratch_.drawing);
+    const DrawnArea drawn = drawn_area(scratch_.drawing, looked_at);
     if (drawn.area_px <= 0) return pose;
     depth *= std::clamp(std::sqrt(static_cast<double>(drawn.area_px / blob.area_px)), 0.5, 2.0);
     ray = ray + Vector3d{(centre.x - drawn.centre_px.x) / camera.fx_px,

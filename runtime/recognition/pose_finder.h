@@ -25,11 +25,15 @@ struct VerifiedPose {
 
 class PoseFinder {
  public:
+  // What is larger than any picture.
+  static constexpr Box kEverything{-(1 << 20), -(1 << 20), 1 << 21, 1 << 21};
+
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
-  // Lays the model over the blob: its centre on the blob's, as large as it; corrected so often.
+  // Lays the model over the blob: the centre of what is seen of it on the blob's, as large as it;
+  // corrected so often. `looked_at` is the part of the picture that something can be seen in.
   RigidPose start(const ClassIndex& index, const ViewStart& view, const CameraModel& camera,
-                  const Blob& blob, int corrections = 2);
+                  const Blob& blob, const Box& looked_at, int corrections = 2);
 
   // The pose refined in `rounds`, 0: as it is, and how far it explains the blob.
   VerifiedPose verify(const ClassIndex& index, const RigidPose& start, const LightGain& light,

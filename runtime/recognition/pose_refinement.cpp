@@ -227,7 +227,7 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
   };
   // Cells that blur may reach over.
   const int rim = drawing.cell_px() < 1.25F ? 3 : drawing.cell_px() < 2.5F ? 2 : 1;
-  int either = 0, same = 0, near = 0;
+  int either = 0, same = 0, near = 0, unknown = 0;
   for (int row = 0; row < drawing.height(); ++row)
     for (int column = 0; column < drawing.width(); ++column) {
       const ColourClass drawn = drawing.cell(column, row).colour;
@@ -235,6 +235,10 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
           {static_cast<double>(drawing.x_px(column)), static_cast<double>(drawing.y_px(row))});
       const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y);
       const ColourClass of_region = seen.at(x, y);
+      if (of_region == SeenColours::kUnknown) {
+        unknown += drawn == kBackgroundClass ? 0 : 1;
+        continue;
+      }
       if (drawn == kBackgroundClass && of_region == kBackgroundClass) continue;
       ++either;
       if (of_region == drawn) {
@@ -258,7 +262,8 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
             shows_beside(-d, 0) || shows_beside(d, 0) || shows_beside(0, -d) || shows_beside(0, d);
       near += is_near ? 1 : 0;
     }
-  if (either == 0) return {};
+  // Of what is mostly beyond the picture's border anything could be said.
+  if (either == 0 || unknown > either) return {};
   const auto share = [&](int count) {
     return static_cast<float>(count) / static_cast<float>(either);
   };

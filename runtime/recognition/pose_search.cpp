@@ -17,6 +17,15 @@ constexpr double kSameStart_rad = 0.2, kSamePose_rad = 0.05;
 // that leaves next to nothing unexplained, and after.
 constexpr float kHopeful = 0.7F, kRival = 0.85F, kExplained = 0.06F;
 
+// Of what the picture's border cuts off, centre and size say less.
+constexpr int kCorrections = 2, kCutCorrections = 4;
+
+bool is_cut(const Box& box, const Box& looked_at) {
+  return box.x <= looked_at.x || box.y <= looked_at.y ||
+         box.x + box.width >= looked_at.x + looked_at.width ||
+         box.y + box.height >= looked_at.y + looked_at.height;
+}
+
 struct Start {
   Hypothesis* hypothesis = nullptr;
   RigidPose pose;
@@ -95,13 +104,16 @@ std::size_t PoseSearch::run(std::span<Hypothesis> list, const SeenBlob& blob,
                             std::span<VerifiedPose> poses) {
   std::array<Start, kMostStarted> starts;
   std::size_t count = 0;
+  const Blob& seen = blob.regions->blobs[blob.place];
+  const int corrections =
+      is_cut(seen.box, blob.regions->looked_at) ? kCutCorrections : kCorrections;
   std::sort(list.begin(), list.end(), better);
   for (Hypothesis& hypothesis : list) {
     if (count == starts.size() || blob.deadline.is_over()) break;
     const ClassIndex& index = indexes_[hypothesis.index];
     if (index.model.empty() || !(hypothesis.score > 0)) continue;
     Start start{&hypothesis, finder_.start(index, hypothesis.start, blob.cameras[hypothesis.index],
-                                           blob.regions->blobs[blob.place])};
+                                           seen, blob.regions->looked_at, corrections)};
     const auto is_near = [&](const Start& other) {
       return other.hypothesis->index == hypothesis.index &&
              angle_between_rad(other.pose.rotation, start.pose.rotation) < kSameStart_rad;

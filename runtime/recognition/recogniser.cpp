@@ -370,8 +370,10 @@ SeenObject Recogniser::drawn_match(const SceneObject& found, float probability, 
 std::size_t Recogniser::search_scene(const Frame& frame, std::span<const Contour> contours,
                                      std::size_t objects) {
   const auto alone = objects_.first(objects);
+  // What two objects explain as well is explained.
   for (const SeenObject& object : alone)
-    taken_[object.blob] = object.judgement.verdict == Verdict::match;
+    taken_[object.blob] = object.judgement.verdict == Verdict::match ||
+                          object.judgement.verdict == Verdict::ambiguous;
   if (std::all_of(taken_.begin(), taken_.begin() + static_cast<std::ptrdiff_t>(objects),
                   [](bool taken) { return taken; }))
     return objects;

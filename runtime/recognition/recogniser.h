@@ -42,8 +42,8 @@ struct RecogniserParameters {
   // sum of scores among those (thesis 3.5.1).
   Matching matching = Matching::weighted;
 
-  // views: the classes on the shortlist are ranked by their best key view, colour, size, shape and
-  // place of every contour compared. classes: by the thesis's score alone.
+  // views: classes are ranked by their best key view, colour, size, shape and place of every
+  // contour compared. classes: by the thesis's score alone.
   enum class Ranking : std::uint8_t { views, classes } ranking = Ranking::views;
 
   // Hypotheses reported for each object seen, 1 to kMaxHypotheses.
@@ -63,8 +63,8 @@ struct RecogniserParameters {
   // background, touching or half hidden; needs poses.
   bool anywhere = true;
 
-  // Contours a class may match fewer than the best class and still be fitted, typical 1. More
-  // forgives more wrong contour types and costs time.
+  // Contours a class may match fewer than the best class and still be on the shortlist, typical 1;
+  // with ranking by classes only.
   int shortlist_slack = 1;
 
   // From frame to frame; needs poses.

@@ -64,8 +64,9 @@ SceneSearch::Drawn SceneSearch::laid(const SeenScene& scene, std::size_t index_p
       portable_atan2(static_cast<double>(start.sin), static_cast<double>(start.cos)));
   drawn.index = static_cast<std::uint16_t>(index_place);
   drawn.key_view = start.key_view;
-  drawn.pose = finder_.start(index, {view.direction, view.direction, drawn.roll_rad, {}},
-                             scene.cameras[index_place], blob, corrections);
+  drawn.pose =
+      finder_.start(index, {view.direction, view.direction, drawn.roll_rad, {}},
+                    scene.cameras[index_place], blob, PoseFinder::kEverything, corrections);
   return drawn;
 }
 

@@ -50,6 +50,7 @@ std::array<float, 3> lit(const std::array<float, 3>& share, const LightGain& lig
 void SeenColours::look(const RegionMap& regions, const Planes& colours, int blob,
                        const ObjectModel& model, const LightGain& light) {
   regions_ = &regions;
+  knows_all_ = blob == kAllBlobs;
   hidden_ = nullptr;
   colours_ = &colours;
   class_of_label_[0] = kBackgroundClass;
@@ -127,7 +128,12 @@ ColourClass SeenColours::at(float x_px, float y_px) const {
                   static_cast<float>(colours_->green[place]),
                   static_cast<float>(colours_->blue[place])});
   }
-  return class_of_label_[label_at(x_px, y_px)];
+  const std::uint16_t label = label_at(x_px, y_px);
+  if (label == 0 && !knows_all_ &&
+      !holds(regions_->looked_at, static_cast<int>(std::floor(x_px + 0.5F)),
+             static_cast<int>(std::floor(y_px + 0.5F))))
+    return kUnknown;
+  return class_of_label_[label];
 }
 
 std::array<float, 3> SeenColours::rgb(float x_px, float y_px) const {

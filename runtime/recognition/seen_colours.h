@@ -42,7 +42,7 @@ class SeenColours {
   // For `look`: regions of all blobs count.
   static constexpr int kAllBlobs = -1;
 
-  // Regions outside of the blob count as background.
+  // Regions outside of the blob count as background; beside what was looked at nothing is known.
   void look(const RegionMap& regions, const Planes& colours, int blob, const ObjectModel& model,
             const LightGain& light);
 
@@ -80,6 +80,7 @@ class SeenColours {
   ColourClass named(const std::array<float, 3>& rgb) const;
 
   const RegionMap* regions_ = nullptr;
+  bool knows_all_ = true;  // no place is unknown
   const Planes* colours_ = nullptr;
   Box known_;
   const HiddenPart* hidden_ = nullptr;

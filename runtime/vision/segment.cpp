@@ -398,7 +398,8 @@ RegionMap Segmenter::run(const EnhancedFrame& frame, const VisionParameters& par
           runs_.first(run_count_),
           regions_.first(region_count_),
           blobs_.first(blob_count_),
-          dropped_};
+          dropped_,
+          {}};
 }
 
 }  // namespace aspect

@@ -32,6 +32,7 @@ struct RegionMap {
   std::span<const Region> regions;  // labels 1.. in the order of their first pixels
   std::span<const Blob> blobs;      // largest first; contours and relations not yet filled in
   int dropped_regions = 0;
+  Box looked_at;  // of the frame: beyond it nothing is known
 };
 
 class Segmenter {

@@ -95,6 +95,7 @@ ViewGraph Vision::run(const Frame& frame, const VisionParameters& parameters) no
   if (!(has_colours ? see_colours(frame, parameters) : see_codes(frame, parameters))) return {};
   const auto enhanced = Clock::now();
   regions_ = segmenter_.run(enhanced_, cutting_parameters(parameters, colours_));
+  regions_.looked_at = part_looked_at(frame, parameters);
   const auto segmented = Clock::now();
   const ViewGraph graph = build_graph(parameters);
   times_.segment = segmented - enhanced;

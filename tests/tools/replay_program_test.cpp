@@ -263,8 +263,7 @@ TEST_CASE("What was chosen is explained, and why something else was not") {
   CHECK(expected("--explain 0 frames/0.png")["object"] == "flag");
   const json other = expected("frames/0.png --explain bar");
   CHECK(other["on_shortlist"] == false);
-  CHECK(other["matched"] == 1);
-  CHECK(other["needed"] == 3);
+  CHECK(other["least_cost"] > 8);
   CHECK_FALSE(other.contains("rank"));
 
   for (const char* name : {"flags", "flag:1", "flag:x", "70000", "7"}) {

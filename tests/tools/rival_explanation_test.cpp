@@ -35,13 +35,14 @@ TEST_CASE("The right object was chosen, and another one explains the picture les
     CHECK(cube.rank == 1);
     REQUIRE(cube.agreement);
     CHECK(*cube.agreement > 0.95F);
-    CHECK(cube.matched >= cube.needed);
+    REQUIRE(cube.least_cost);
 
     CHECK_FALSE(other.chosen);
     CHECK_FALSE(other.reason.empty());
-    CHECK(other.on_shortlist == (other.matched >= other.needed));
-    if (!other.hypothesis) continue;
-    CHECK(other.rank > 1);
+    REQUIRE(other.hypothesis);
+    CHECK(other.on_shortlist == (other.rank > 1));
+    REQUIRE(other.least_cost);
+    CHECK(*other.least_cost > *cube.least_cost);
     REQUIRE(other.agreement);
     CHECK(*other.agreement < *cube.agreement);
     CHECK_FALSE((other.seen.missing.empty() && other.seen.contradicting.empty()));

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Scores frames of many parts. An answer is right where it names the part, alike where it names
 another that looks the same from there: drawn by POV-Ray at the pose that was found, in flat
-colours, it differs from the true one in at most --alike of its pixels. An ambiguous answer that
-has the right part, or one alike, among its rivals counts as half.
+colours, it differs from the true one in at most --alike of its pixels. An ambiguous answer is alike
+where all its rivals are, and counts as half where one of them is, or is right.
 usage: many_parts_score.py FOLDER RESULTS.ndjson [--alike 0.03] [--wrong FILE]
 FOLDER holds objects.py, with the parts in it, and the frames' truth.csv and camera.toml."""
 import argparse
@@ -126,13 +126,13 @@ def verdict_on(definitions, parts, camera, row, best, alike):
         return "unknown"
     same = lambda h: h["object"] == row["object"] or (
         "pose" in h and share_that_differs(definitions, parts, camera, row, h) <= alike)
-    first = best["hypotheses"][0]
-    if first["object"] == row["object"]:
-        return "right" if best["verdict"] == "match" else "half"
-    if same(first):
-        return "alike"
-    rivals = [h for h in best["hypotheses"][1:] if "pose" in h]
-    return "half" if best["verdict"] == "ambiguous" and any(map(same, rivals)) else "wrong"
+    first, *others = best["hypotheses"]
+    if best["verdict"] == "match":
+        return ("right" if first["object"] == row["object"] else
+                "alike" if same(first) else "wrong")
+    rivals = [first, *(others[k - 1] for k in best.get("rivals", []))]
+    like = [same(h) for h in rivals]
+    return "alike" if all(like) else "half" if any(like) else "wrong"
 
 
 main()

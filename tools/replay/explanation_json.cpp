@@ -99,12 +99,16 @@ void put_rival(JsonText& json, const RivalExplanation& rival, std::span<const Cl
   put(json, "reason", std::string_view(rival.reason));
   put(json, "chosen", rival.chosen);
   put(json, "on_shortlist", rival.on_shortlist);
-  put(json, "matched", std::int64_t{rival.matched});
-  put(json, "needed", std::int64_t{rival.needed});
+  if (rival.least_cost) {
+    put_rounded(json, "least_cost", *rival.least_cost);
+  } else {
+    put(json, "matched", std::int64_t{rival.matched});
+    put(json, "needed", std::int64_t{rival.needed});
+  }
   if (rival.hypothesis) {
     put(json, "object", std::string_view(indexes[rival.hypothesis->index].object));
     put(json, "class", std::int64_t{rival.hypothesis->class_id});
-    put(json, "rank", std::int64_t{rival.rank});
+    if (rival.rank > 0) put(json, "rank", std::int64_t{rival.rank});
     put(json, "score", rival.hypothesis->score);
     if (rival.agreement) put_rounded(json, "agreement", *rival.agreement);
     put_seen(json, rival.seen);

@@ -49,9 +49,10 @@ green and blue}], missing: what the model shows in that pose and the picture doe
 surfaces, colour, area_px, covered: share of it that has its colour}], contradicts: what shows
 another colour than the model [{contour, colour, drawn, left out where the model shows nothing,
 area_px}]}. Without a pose missing and contradicts are contours without a match. With NAME there is
-also expected, why that one was not chosen: {reason, chosen, on_shortlist, matched: contours at
-most, needed: for the shortlist; and where it is on it, of its best hypothesis, object, class, rank
-from 1, score, agreement: share of the picture explained where it was tried or is now, contours,
+also expected, why that one was not chosen: {reason, chosen, on_shortlist, least_cost: of each of
+its views, by colours, sizes and places (ranked by classes: matched, its contours at most, and
+needed for the shortlist); and of its best hypothesis, object, class, rank from 1 where it is on
+the shortlist, score, agreement: share of the picture explained where it was tried or is now, contours,
 missing, contradicts}. Frames are looked at twice then. A word after --explain that is a file or
 folder is a frame; --explain=NAME is always a name.
 

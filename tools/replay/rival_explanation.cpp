@@ -53,6 +53,16 @@ std::string reason_for(const RivalExplanation& rival, const Hypothesis& best,
   return reason;
 }
 
+std::string why_not_on_shortlist(const RivalExplanation& rival, std::size_t contours) {
+  if (!rival.least_cost)
+    return fmt::format("not on the shortlist: of {} contours it matches {}, {} were needed",
+                       contours, rival.matched, rival.needed);
+  return fmt::format(
+      "not on the shortlist: by colours, sizes and places of what is seen each of its views costs "
+      "{:.1f} or more",
+      *rival.least_cost);
+}
+
 }  // namespace
 
 Result<ExpectedHypothesis> find_expected(std::string_view name,
@@ -93,6 +103,8 @@ RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
       recogniser_(indexes, parameters_) {
   memory_.plan([&](Arena& arena) {
     matcher_.prepare(arena, indexes_);
+    bounds_.prepare(arena, indexes_);
+    views_.prepare(indexes_);
     finder_.prepare(arena, indexes_);
   });
 }
@@ -100,16 +112,24 @@ RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
 RivalExplanation RivalExplainer::explain(std::size_t object) {
   RivalExplanation rival;
   const auto list = recognition_.objects[object].hypotheses;
-  count_matches(object, rival);
+  const std::size_t blob = recognition_.objects[object].blob;
+  BlobFeatures seen;
+  features_of(recognition_.graph, blob, seen);
+  if (parameters_.ranking == RecogniserParameters::Ranking::classes) {
+    count_matches(seen, rival);
+  } else {
+    bound_costs(seen, rival);
+    if (join_alike(recognition_.graph, recogniser_.regions(), blob, parameters_.vision, seen))
+      bound_costs(seen, rival);
+  }
   const auto own =
       std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected_.is(h); });
   if (own == list.end()) {
-    rival.on_shortlist = rival.matched > 0 && rival.matched >= rival.needed;
-    rival.reason =
-        rival.on_shortlist
-            ? fmt::format("it is on the shortlist, but {} fit better", list.size())
-            : fmt::format("not on the shortlist: of {} contours it matches {}, {} were needed",
-                          recognition_.objects[object].regions, rival.matched, rival.needed);
+    rival.on_shortlist = list.size() == kMaxHypotheses;
+    rival.reason = rival.on_shortlist ? fmt::format("{} others fit better", list.size())
+                                      : why_not_on_shortlist(rival, seen.count);
+    if (rival.least_cost) fit_expected(seen, rival);
+    if (rival.hypothesis) lay_over(object, rival);
     return rival;
   }
   rival.on_shortlist = true;
@@ -117,26 +137,51 @@ RivalExplanation RivalExplainer::explain(std::size_t object) {
   const Judgement& judgement = recognition_.objects[object].judgement;
   rival.chosen = rival.rank == 1 && judgement.verdict != Verdict::unknown;
   rival.hypothesis = *own;
-  const VerifiedPose* pose = pose_of(*own, object);
-  if (pose != nullptr) rival.agreement = pose->agreement.all_but_rims;
-  rival.seen = explain_seen(*own, pose, recognition_.objects[object].blob,
-                            {recognition_.graph, &recogniser_.regions(), &recogniser_.colours(),
-                             indexes_, recogniser_.cameras()});
+  lay_over(object, rival);
   rival.reason = reason_for(rival, list.front(), judgement, indexes_);
   return rival;
 }
 
-void RivalExplainer::count_matches(std::size_t object, RivalExplanation& rival) {
-  const Blob& blob = recognition_.graph.blobs[recognition_.objects[object].blob];
-  std::vector<ContourFeature> features;
-  for (const Contour& contour :
-       recognition_.graph.contours.subspan(static_cast<std::size_t>(blob.first_contour),
-                                           static_cast<std::size_t>(blob.contour_count)))
-    if (contour.external && features.size() < kMaxSide)
-      features.push_back(feature_of(contour, blob));
+void RivalExplainer::lay_over(std::size_t object, RivalExplanation& rival) {
+  const VerifiedPose* pose = pose_of(*rival.hypothesis, object);
+  if (pose != nullptr) rival.agreement = pose->agreement.all_but_rims;
+  rival.seen = explain_seen(*rival.hypothesis, pose, recognition_.objects[object].blob,
+                            {recognition_.graph, &recogniser_.regions(), &recogniser_.colours(),
+                             indexes_, recogniser_.cameras()});
+}
+
+// The best of all its views, however badly it fits.
+void RivalExplainer::fit_expected(const BlobFeatures& seen, RivalExplanation& rival) {
+  std::vector<Hypothesis> room;
+  for (std::size_t i = 0; i < indexes_.size(); ++i)
+    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
+      Hypothesis hypothesis;
+      hypothesis.index = static_cast<std::uint16_t>(i);
+      hypothesis.class_id = static_cast<std::uint16_t>(c);
+      if (expected_.is(hypothesis)) room.push_back(hypothesis);
+    }
+  room.resize(views_.run(seen.seen(), room, room.size()));
+  const auto best = std::min_element(room.begin(), room.end(), better);
+  if (best != room.end() && best->score > 0) rival.hypothesis = *best;
+}
+
+void RivalExplainer::bound_costs(const BlobFeatures& seen, RivalExplanation& rival) {
+  bounds_.set_contours(seen.seen());
+  for (std::size_t i = 0; i < indexes_.size(); ++i)
+    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
+      Hypothesis hypothesis;
+      hypothesis.index = static_cast<std::uint16_t>(i);
+      hypothesis.class_id = static_cast<std::uint16_t>(c);
+      if (!expected_.is(hypothesis)) continue;
+      const float cost = bounds_.least_cost(i, c);
+      rival.least_cost = std::min(rival.least_cost.value_or(cost), cost);
+    }
+}
+
+void RivalExplainer::count_matches(const BlobFeatures& seen, RivalExplanation& rival) {
   int most = 0;
   for (std::size_t i = 0; i < indexes_.size(); ++i) {
-    matcher_.set_contours(indexes_[i], features);
+    matcher_.set_contours(indexes_[i], seen.seen());
     for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
       const int matched = matcher_.match(indexes_[i], c, parameters_.matching).assignment.matched;
       most = std::max(most, matched);
@@ -159,8 +204,9 @@ const VerifiedPose* RivalExplainer::pose_of(const Hypothesis& hypothesis, std::s
   if (!has_start) return nullptr;
   constexpr int kRounds = 7;  // as many as the recogniser takes
   const CameraModel& camera = recogniser_.cameras()[hypothesis.index];
-  const RigidPose start = finder_.start(
-      index, hypothesis.start, camera, recognition_.graph.blobs[recognition_.objects[object].blob]);
+  const RigidPose start = finder_.start(index, hypothesis.start, camera,
+                                        recognition_.graph.blobs[recognition_.objects[object].blob],
+                                        recogniser_.regions().looked_at);
   found_ = finder_.verify(index, start, hypothesis.start.light, camera, recogniser_.regions(),
                           recogniser_.colours(), static_cast<int>(object), kRounds);
   return &found_;

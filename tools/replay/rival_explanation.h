@@ -31,12 +31,14 @@ Result<ExpectedHypothesis> find_expected(std::string_view name,
 struct RivalExplanation {
   bool chosen = false, on_shortlist = false;
   std::string reason;  // for a person
-  // What the frame's contours allow: of the expected, at most, and of those on the shortlist, at
+  // Ranked by classes: contours matched of the expected, at most, and of those on the shortlist, at
   // least.
   int matched = 0, needed = 0;
-  // These on the shortlist only, of the best one that was expected.
+  // Ranked by views: no key view of the expected costs less, by colours, sizes and places.
+  std::optional<float> least_cost;
+  // The best one that was expected: of the shortlist or, ranked by views, made for this.
   std::optional<Hypothesis> hypothesis;
-  int rank = 0;  // in the list of all hypotheses, from 1
+  int rank = 0;  // in the list of all hypotheses, from 1; 0: not on the shortlist
   std::optional<float> agreement;
   SeenExplanation seen;
 };
@@ -54,7 +56,10 @@ class RivalExplainer {
   RivalExplanation explain(std::size_t object);
 
  private:
-  void count_matches(std::size_t object, RivalExplanation& explanation);
+  void count_matches(const BlobFeatures& seen, RivalExplanation& explanation);
+  void bound_costs(const BlobFeatures& seen, RivalExplanation& explanation);
+  void fit_expected(const BlobFeatures& seen, RivalExplanation& explanation);
+  void lay_over(std::size_t object, RivalExplanation& explanation);
   const VerifiedPose* pose_of(const Hypothesis& hypothesis, std::size_t object);
 
   std::span<const ClassIndex> indexes_;
@@ -64,6 +69,8 @@ class RivalExplainer {
   Recognition recognition_;
   PlannedMemory memory_;
   ClassMatcher matcher_;
+  ClassBounds bounds_;
+  ViewSearch views_;
   PoseFinder finder_;
   VerifiedPose found_;
 };
