@@ -262,8 +262,10 @@ Agreement agreement(const ModelDrawing& drawing, const CameraModel& camera,
             shows_beside(-d, 0) || shows_beside(d, 0) || shows_beside(0, -d) || shows_beside(0, d);
       near += is_near ? 1 : 0;
     }
-  // Of what is mostly beyond the picture's border anything could be said.
-  if (either == 0 || unknown > either) return {};
+  if (either == 0) return {};
+  // Of what is much beyond the picture's border anything could be said.
+  constexpr int kMostBeyond = 4;  // of so many one is no fault
+  either += std::max(0, unknown - either / kMostBeyond);
   const auto share = [&](int count) {
     return static_cast<float>(count) / static_cast<float>(either);
   };

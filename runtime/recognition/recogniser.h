@@ -140,6 +140,7 @@ class Recogniser {
   bool looks_anywhere() const;
   std::size_t add_found(const SceneObject& found, std::span<const Contour> contours,
                         std::size_t blob, std::size_t objects);
+  std::span<const bool> wanted_in(std::span<const SeenObject> alone);
   std::size_t search_scene(const Frame& frame, std::span<const Contour> contours,
                            std::size_t objects);
   std::size_t join_found(std::size_t alone_count, std::size_t count);
@@ -167,6 +168,7 @@ class Recogniser {
   SceneSearch scene_search_;
   Tracker tracker_;
   std::array<bool, kMaxBlobs> taken_{};
+  std::span<bool> wanted_;          // by index
   std::span<CameraModel> cameras_;  // of this frame, for each index
   std::span<VerifiedPose> poses_;
   std::size_t pose_count_ = 0;

@@ -171,7 +171,7 @@ std::span<const SceneObject> SceneSearch::run(const SeenScene& scene) {
   } else {
     starts_.see(scene);
     for (std::size_t i = 0; i < indexes_.size(); ++i)
-      if (!indexes_[i].model.empty()) draw_starts(scene, i);
+      if (!indexes_[i].model.empty() && scene.wants(i)) draw_starts(scene, i);
   }
   const auto drawn = std::span(drawn_).first(drawn_count_);
   std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {

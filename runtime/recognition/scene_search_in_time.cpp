@@ -22,7 +22,7 @@ void SceneSearch::gather_starts(const SeenScene& scene) {
   waiting_count_ = 0;
   if (!scene.deadline.is_over()) starts_.see(scene);
   for (std::size_t i = 0; i < indexes_.size(); ++i) {
-    if (indexes_[i].model.empty()) continue;
+    if (indexes_[i].model.empty() || !scene.wants(i)) continue;
     if (!scene.deadline.is_over())
       for (const SceneStart& start : starts_.run(scene, i))
         if (start.explained >= kWorth)

@@ -27,6 +27,9 @@ struct SeenScene {
   std::span<const CameraModel> cameras;  // by index
   int width_px = 0, height_px = 0;
   Deadline deadline{};
+  std::span<const bool> wanted{};  // by index; empty: all are looked for
+
+  bool wants(std::size_t index) const { return wanted.empty() || wanted[index]; }
 };
 
 // A region or pixel whose shares of r, g and b are no farther from a colour of the model may be it.
