@@ -25,6 +25,10 @@ cv::Size text_size(const std::string& text, const TextStyle& style);
 void draw_text(cv::Mat& picture, const std::string& text, cv::Point corner, const TextStyle& style,
                const cv::Scalar& colour = {255, 255, 255});
 
+// Dark text without an outline, for light paper; otherwise the same.
+void draw_dark_text(cv::Mat& picture, const std::string& text, cv::Point corner,
+                    const TextStyle& style, const cv::Scalar& colour = {40, 36, 32});
+
 // Texts that keep out of each other's way.
 class LabelPlacer {
  public:
