@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tools/draw/class_tile.h"
-#include "tools/draw/model_picture.h"
+#include "tools/draw/paper.h"
 #include "tools/draw/picture_text.h"
 
 namespace aspect {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMargin_px = 16, kGap_px = 10, kCaption_px = 24, kHead_px = 62;
 constexpr int kLeastColumns = 4, kMostColumns = 20;
-const cv::Scalar kDesk(226, 222, 218), kFrame(196, 190, 184), kQuiet(110, 104, 98);
+const cv::Scalar kFrame(196, 190, 184);
 
 // So many classes of each that all together are no more than there may be.
 std::size_t quota_of(std::span<const ClassIndex> indexes) {
@@ -53,7 +53,7 @@ void draw_section(cv::Mat& sheet, int top, const ClassIndex& index,
   const int width = sheet.cols - 2 * kMargin_px;
   draw_dark_text(sheet, index.object, {kMargin_px, top}, fitted(large, index.object, width));
   const std::string figures = figures_of(index, shown);
-  draw_dark_text(sheet, figures, {kMargin_px, top + 34}, fitted(small, figures, width), kQuiet);
+  draw_dark_text(sheet, figures, {kMargin_px, top + 34}, fitted(small, figures, width), kQuietInk);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const AspectClass& aspect = index.classes[shown[k]];
     const int column = static_cast<int>(k) % columns, row = static_cast<int>(k) / columns;

@@ -7,13 +7,15 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "tools/draw/paper.h"
+
 namespace aspect {
 namespace {
 
 constexpr int kFiner = 3;
 constexpr double kBend = 0.906;  // cosine of 25 degrees
 constexpr double kStep = 0.02;   // of the model's radius: one surface before another
-const cv::Vec3b kInk(52, 46, 42);
+const cv::Vec3b kLine(52, 46, 42);
 
 struct Canvas {
   int side = 0;
@@ -164,7 +166,7 @@ ModelPicture model_picture(const ObjectModel& model, const Vector3d& direction_u
     for (int x = 0; x < canvas.side; ++x) {
       const int triangle = canvas.triangle[canvas.place(x, y)];
       const bool is_line = edges.at<std::uint8_t>(y, x) != 0;
-      fine.at<cv::Vec3b>(y, x) = is_line ? kInk : colour_of(model, triangle);
+      fine.at<cv::Vec3b>(y, x) = is_line ? kLine : colour_of(model, triangle);
       covered.at<std::uint8_t>(y, x) = triangle < 0 ? 0 : 255;
     }
   cv::resize(fine, drawn.picture, drawn.picture.size(), 0, 0, cv::INTER_AREA);

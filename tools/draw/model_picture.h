@@ -7,11 +7,8 @@
 
 namespace aspect {
 
-// In OpenCV's order: light, so that dark surfaces show too.
-inline const cv::Scalar kPaper(248, 246, 244);
-
 struct ModelPicture {
-  cv::Mat picture;  // 8 bits, BGR, on kPaper
+  cv::Mat picture;  // 8 bits, BGR, on kPaper of paper.h
   cv::Mat covered;  // 8 bits: 255 where the model is
 };
 

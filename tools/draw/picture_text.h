@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/draw/paper.h"
+
 namespace aspect {
 
 struct TextStyle {
@@ -27,7 +29,7 @@ void draw_text(cv::Mat& picture, const std::string& text, cv::Point corner, cons
 
 // Dark text without an outline, for light paper; otherwise the same.
 void draw_dark_text(cv::Mat& picture, const std::string& text, cv::Point corner,
-                    const TextStyle& style, const cv::Scalar& colour = {40, 36, 32});
+                    const TextStyle& style, const cv::Scalar& colour = kInk);
 
 // Texts that keep out of each other's way.
 class LabelPlacer {
