@@ -184,6 +184,8 @@ int run_doctor(const DoctorCommand& command) {
   const auto& prepared = std::get<std::vector<PreparedObject>>(outcome);
   if (const std::string fault = fault_of(command, prepared); !fault.empty())
     return refuse_usage(fault);
+  if (!command.picture.empty())
+    if (const auto done = check_writable(command.picture); !done) return fail(done.error());
   DoctorReport report{command.file, {}, {}, {}};
   for (const PreparedObject& object : prepared) {
     for (const std::string& warning : object.scene.warnings) print_warning("aspectc", warning);

@@ -181,6 +181,8 @@ int write_golden_frame(const InspectCommand& command) {
 }
 
 int write_sheet(const InspectCommand& command) {
+  if (is_store(command.index))
+    return fail(command.index + ": is a store; --sheet draws class indexes (.aspect)");
   const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
   if (!indexes) return fail(indexes.error());
   const IndexSheet sheet = index_sheet(indexes.value());
