@@ -192,7 +192,7 @@ int write_sheet(const InspectCommand& command) {
   if (const Result<Done> done = write_whole_file(command.sheet, png); !done)
     return fail(done.error());
   if (sheet.shown == sheet.classes)
-    fmt::print("{}: {} classes\n", command.sheet, sheet.classes);
+    fmt::print("{}: {} class{}\n", command.sheet, sheet.classes, sheet.classes == 1 ? "" : "es");
   else
     fmt::print("{}: {} of {} classes, the largest; --json tells of all\n", command.sheet,
                sheet.shown, sheet.classes);
