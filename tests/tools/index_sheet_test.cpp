@@ -26,7 +26,7 @@ std::map<Bgr, int> colours_in(const cv::Mat& picture) {
 }
 
 Bgr paint_of(std::size_t face) {
-  const auto& rgb = painted_box(1, 1, 1).paints[face];
+  const auto rgb = painted_box(1, 1, 1).paints[face];
   return {rgb[2], rgb[1], rgb[0]};
 }
 
@@ -47,7 +47,7 @@ void add_class(ClassIndex& index, const Vector3& view, float share,
 }
 
 std::array<float, 3> shares_of(std::size_t face) {
-  const auto& rgb = painted_box(1, 1, 1).paints[face];
+  const auto rgb = painted_box(1, 1, 1).paints[face];
   const float sum = static_cast<float>(rgb[0] + rgb[1] + rgb[2]);
   return {static_cast<float>(rgb[0]) / sum, static_cast<float>(rgb[1]) / sum,
           static_cast<float>(rgb[2]) / sum};

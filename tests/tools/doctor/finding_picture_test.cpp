@@ -130,10 +130,11 @@ TEST_CASE("Colours that are too near are marked along the edge where they touch"
   REQUIRE_FALSE(marks.empty());
   for (const MarkedPlace& mark : marks) {
     const auto edge = projected({{40, 30, -20}, {40, 30, 20}}, picture, mark.view);
-    const cv::Point2f way = edge[1] - edge[0], off = cv::Point2f(mark.at) - edge[0];
-    CHECK(std::abs(way.cross(off)) / cv::norm(way) < 3);
-    CHECK(off.dot(way) > -3 * cv::norm(way));
-    CHECK(off.dot(way) < way.dot(way) + 3 * cv::norm(way));
+    const cv::Point2d way = edge[1] - edge[0], off = cv::Point2f(mark.at) - edge[0];
+    const double length = cv::norm(way);
+    CHECK(std::abs(way.cross(off)) / length < 3);
+    CHECK(off.dot(way) / length > -3);
+    CHECK(off.dot(way) / length < length + 3);
   }
 }
 
