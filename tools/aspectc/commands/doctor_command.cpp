@@ -29,18 +29,18 @@ fit (unless a project gives the distance) and moves colours that touch and canno
 by the least that does; open edges stay. OUT.b holds all of that; OUT.ply, of meshes alone, keeps
 the file's coordinates. A project's colours, camera and light are written into OUT.b.
 
-Findings of one kind are one line with their count and the worst of them; --all prints each. They are
-numbered, and --picture shows where they are: the object from the few views that show them best, with
-the same numbers. What lies behind surfaces is dotted.
+Findings of one kind are one line with their count and the worst of them; --all prints each. They
+are numbered, and --picture shows where they are: the object from the few views that show them best,
+with the same numbers. What lies behind surfaces is dotted.
 
 --merge-colours judges the mesh as it would be compiled with that option, and writes a picture of it
-from three sides: as it is on the left, in its N colours on the right. --picture then names that one.
+from three sides: as it is on the left, in its N colours on the right. --picture then names it.
 
 Keys of --json:
-  objects   object, surfaces, errors, warnings, notes, and findings: number (of its kind, as in text and
-            picture), group (topology, placement, colours, visibility), code, severity (error,
-            warning, note), message, cure, count, where (at most ten: triangles of a mesh as read or, of topology in a Bob scene and of
-            all other groups, surfaces, from 1), can_fix,
+  objects   object, surfaces, errors, warnings, notes, and findings: number (of its kind, as in text
+            and picture), group (topology, placement, colours, visibility), code, severity (error,
+            warning, note), message, cure, count, where (at most ten: triangles of a mesh as read
+            or, of topology in a Bob scene and of all other groups, surfaces, from 1), can_fix,
             examples (message, count, where) of what it sums up, if anything, the worst first
   pictures  files written; only with --picture or --merge-colours
   fix       output, done (lines), colours (before, after, separation_before, separation_after; it
