@@ -14,12 +14,12 @@ namespace {
 constexpr double kTop_px = 62, kRight_px = 64, kScale_px = 16;
 constexpr std::size_t kNameLetters = 24;
 
-// White to a dark blue.
+// Nearly white, so that empty cells are cells too, to a dark blue.
 std::string shade(double share) {
   const auto mixed = [share](double light, double dark) {
     return static_cast<int>(std::lround(light + share * (dark - light)));
   };
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed(255, 8), mixed(255, 48), mixed(255, 107));
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed(241, 8), mixed(244, 48), mixed(248, 107));
 }
 
 struct HeatMap {

@@ -71,7 +71,7 @@ std::string rank_svg(const Evaluation& evaluation, const ThesisRanks& thesis) {
   const double height = std::max(kTop_px + kSide_px + kAxisBelow_px,
                                  kTop_px + 56 + kLegendLine_px * static_cast<double>(names.size()));
   SvgPage page(
-      legend + std::max(legend_width_px(names), 130.0) + 16, height,
+      legend + std::max(legend_width_px(names), 150.0) + 16, height,
       fmt::format("Rank of the right class, {} views an object", evaluation.settings.views));
   PlotPanel plain = panel_at(page, kAxisLeft_px, "without symmetry");
   PlotPanel alike = panel_at(page, second, "modulo the object's rotations");
