@@ -102,10 +102,11 @@ std::vector<ModelEdge> edges_of(const ObjectModel& model) {
 ObjectModel prepared_model(const PaintedModel& painted, int chroma_step, int intensity_min) {
   ObjectModel model;
   model.vertices = painted.vertices;
+  model.paints = painted.paints;
   const std::vector<ColourClass> classes =
       classes_of(painted, static_cast<float>(chroma_step) / 255, intensity_min, model.shares);
   for (const PaintedModel::Triangle& t : painted.triangles)
-    model.triangles.push_back({t.corners, classes[t.paint]});
+    model.triangles.push_back({t.corners, classes[t.paint], t.paint});
   Vector3d least{}, most{};
   for (std::size_t k = 0; k < model.vertices.size(); ++k)
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -21,6 +21,7 @@ inline constexpr ColourClass kBackgroundClass = 0;
 struct ModelTriangle {
   std::array<std::uint16_t, 3> corners{};  // into vertices
   ColourClass colour = kBackgroundClass;
+  std::uint8_t paint = 0;  // into paints
 };
 
 // Between one triangle or two.
@@ -35,9 +36,10 @@ struct ObjectModel {
   std::vector<ModelTriangle> triangles;
   std::vector<ModelEdge> edges;              // without those that no picture shows
   std::vector<std::array<float, 3>> shares;  // of the colour classes, from 1 on: r, g, b of 1
-  Vector3d centre{}, up{0, 0, 1};            // of the views, see camera_from_object
-  double radius = 0;                         // of a ball about the centre that holds all
-  double error = 0;                          // largest distance to the scene's surface
+  std::vector<std::array<std::uint8_t, 3>> paints;  // r g b, as the scene has them: for people
+  Vector3d centre{}, up{0, 0, 1};                   // of the views, see camera_from_object
+  double radius = 0;                                // of a ball about the centre that holds all
+  double error = 0;                                 // largest distance to the scene's surface
 
   bool empty() const { return triangles.empty(); }
 };

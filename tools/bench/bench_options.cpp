@@ -11,11 +11,12 @@ constexpr const char* kNotes =
     R"(The options are Google Benchmark's, whose user guide tells more. Run from anywhere: what is measured
 comes from the source folder that the program was built from.
 
-Exit code: 0 done, 2 wrong usage.
+Exit code: 0 done, 1 a file was no good or nothing was measured, 2 wrong usage.
 
 Examples:
   aspect-bench --benchmark_filter=frame_to_graph
-  aspect-bench --json > figures.json)";
+  aspect-bench --json > figures.json
+  aspect-bench --plot costs.svg --from figures.json)";
 
 // As benchmark::Initialize wants them: in one word.
 void add(CLI::App& app, std::vector<std::string>& given, const std::string& name,
@@ -69,15 +70,23 @@ void add_output(CLI::App& app, std::vector<std::string>& given) {
 
 }  // namespace
 
-std::variant<std::vector<std::string>, int> parse_bench_options(int argc, const char* const* argv) {
+std::variant<BenchOptions, int> parse_bench_options(int argc, const char* const* argv) {
   CLI::App app("Measures how long the stages of compiling and seeing take.", "aspect-bench");
   app.footer(kNotes);
   app.set_version_flag("--version", "aspect-bench " ASPECT_VERSION);
   std::vector<std::string> given;
+  std::string plot, from;
   add_choice_of_work(app, given);
   add_output(app, given);
+  CLI::Option* plotted =
+      app.add_option("--plot", plot,
+                     "draw what was measured: a view's stages, the cost by level, and all else")
+          ->type_name("FILE.svg");
+  app.add_option("--from", from, "draw these results, of --benchmark_out; nothing is measured")
+      ->type_name("FILE.json")
+      ->needs(plotted);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
-  return given;
+  return BenchOptions{std::move(given), plot, from};
 }
 
 }  // namespace aspect

@@ -83,6 +83,6 @@ done
 echo
 echo "### Milliseconds on one core"
 echo '```'
-"$bin/aspect-bench" --benchmark_repetitions=5 --benchmark_report_aggregates_only=true 2>/dev/null |
+"$bin/aspect-bench" --benchmark_filter=-compile_to_level --benchmark_repetitions=5 --benchmark_report_aggregates_only=true 2>/dev/null |
   grep -E '^(Benchmark|.*_median)'
 echo '```'

@@ -31,7 +31,9 @@ frame=$(ls tests/data/cluttered/frames | head -n 1)
 cp "$out"/made/stages/*_1_input.png "$out/pictures/input.png"
 cp "$out"/made/stages/*_2_regions.png "$out/pictures/frame_regions.png"
 cp "$out"/made/found/*.png "$out/pictures/found.png"
-"$bin/aspect-eval" "${evaluated[@]}" --views 60 --reliability "$out/pictures/reliability.svg" >"$out/made/views.txt"
+"$bin/aspectc" inspect "$out/made/pegblock.aspect" --sheet "$out/pictures/classes.png"
+"$bin/aspectc" doctor "$models/l_shape.b" --picture "$out/pictures/doctor.png" >"$out/made/doctor.txt" || true
+"$bin/aspect-eval" "${evaluated[@]}" --views 60 --plots "$out/pictures" >"$out/made/views.txt"
 "$bin/aspect-eval" "${evaluated[@]}" --views 60 --clutter --recall "$out/pictures/recall.svg" >"$out/made/clutter.txt"
 rm -rf "$out/made"
 echo "make_pictures: $out has $(ls "$out/pictures" | wc -l) pictures"

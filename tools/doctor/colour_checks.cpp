@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::string_view kGroup = "colours";
 constexpr double kSomeMerge = 0.1;  // of a border's pixels; fewer are single ones at its ends
-constexpr std::size_t kLeastBorder_px = 40, kMostPairs = 20;
-constexpr std::size_t kMostDark = 5;         // more are told in one
+constexpr std::size_t kLeastBorder_px = 40;
+constexpr std::size_t kMostDark = 5;         // more are one finding, with each as an example
 constexpr std::size_t kMostCompared = 2000;  // colours, each with each
 
 using Pair = std::pair<std::size_t, std::size_t>;
@@ -24,6 +24,12 @@ std::vector<std::size_t> primitives_of(const ColourGroups& groups, std::size_t g
   return found;
 }
 
+// All of them, from 0.
+void mark_group(const ColourGroups& groups, std::size_t group, FindingMarks& marks) {
+  for (std::size_t k = 0; k < groups.group_of.size(); ++k)
+    if (groups.group_of[k] == group) marks.primitives.push_back(k);
+}
+
 // Of two colours: the first surface of each.
 std::vector<std::size_t> places_of(const ColourGroups& groups, const Pair& pair) {
   return {primitives_of(groups, pair.first).front(), primitives_of(groups, pair.second).front()};
@@ -31,14 +37,10 @@ std::vector<std::size_t> places_of(const ColourGroups& groups, const Pair& pair)
 
 Finding inseparable(const ColourGroups& groups, const Pair& pair, const Border& border,
                     const VisionParameters& vision) {
-  const auto &a = groups.groups[pair.first], &b = groups.groups[pair.second];
-  const ColourGap gap = colour_gap(a.seen, b.seen, vision);
   return {kGroup,
           "inseparable_colours",
           Severity::warning,
-          fmt::format("{} touches {}: they differ by {:.2f}, and a step of {:.2f} counts as one "
-                      "region",
-                      colour_words(a.seen), colour_words(b.seen), gap.difference, gap.step),
+          inseparable_words(groups.groups[pair.first], groups.groups[pair.second], vision),
           "move the colours apart, or lower chroma_step or noise_steps; --fix moves them",
           border.pixels,
           places_of(groups, pair),
@@ -74,6 +76,7 @@ Finding alike_note(const Sight& sight) {
   for (const auto& [pair, pixels] : sight.alike_borders) {
     if (pixels < kLeastBorder_px) continue;
     ++note.count;
+    note.marks.borders.push_back(pair);
     if (note.where.size() + 2 <= Finding::kMostPlaces)
       note.where.insert(note.where.end(), {pair.first + 1, pair.second + 1});
   }
@@ -90,7 +93,7 @@ Finding dark_surface(const Scene& scene, const ColourGroups& groups, std::size_t
                      const Seen& seen, const VisionParameters& vision) {
   const Eigen::Vector3d& colour = groups.groups[group].seen;
   const auto share = static_cast<double>(seen.dark) / static_cast<double>(seen.pixels);
-  return {
+  Finding finding{
       kGroup,
       "dark_surface",
       scene.lights.empty() ? Severity::error : Severity::warning,
@@ -102,6 +105,13 @@ Finding dark_surface(const Scene& scene, const ColourGroups& groups, std::size_t
       seen.dark,
       primitives_of(groups, group),
       false};
+  mark_group(groups, group, finding.marks);
+  return finding;
+}
+
+void put_worst_first(std::vector<FindingExample>& examples) {
+  std::stable_sort(examples.begin(), examples.end(),
+                   [](const auto& a, const auto& b) { return a.count > b.count; });
 }
 
 bool by_colour(const VisionParameters& vision) {
@@ -109,6 +119,14 @@ bool by_colour(const VisionParameters& vision) {
 }
 
 }  // namespace
+
+std::string inseparable_words(const ColourGroups::Group& a, const ColourGroups::Group& b,
+                              const VisionParameters& vision) {
+  const ColourGap gap = colour_gap(a.seen, b.seen, vision);
+  return fmt::format(
+      "{} touches {}: they differ by {:.2f}, and a step of {:.2f} counts as one region",
+      colour_words(a.seen), colour_words(b.seen), gap.difference, gap.step);
+}
 
 bool is_background(const Eigen::Vector3d& colour, const VisionParameters& vision) {
   return intensity_seen(colour, vision) <= vision.intensity_min;
@@ -167,6 +185,7 @@ std::vector<Finding> check_colours(const ColourGroups& groups, const VisionParam
                             colour_words(groups.groups[*like].seen));
     if (alike.where.size() < Finding::kMostPlaces)
       alike.where.push_back(primitives_of(groups, k).front());
+    mark_group(groups, k, alike.marks);
   }
   if (alike.count == 0) return {};
   alike.message = fmt::format("{} colours, of which {} can be told apart: {}{}", count,
@@ -179,13 +198,15 @@ std::vector<Finding> check_borders(const Scene& scene, const ColourGroups& group
   if (!by_colour(vision)) return {};
   std::vector<Finding> findings;
   for (const auto& [pair, border] : sight.borders) {
-    if (findings.size() == kMostPairs) break;
     const auto merged = static_cast<double>(border.merged);
     if (is_inseparable(groups.groups[pair.first], groups.groups[pair.second], vision))
       findings.push_back(inseparable(groups, pair, border, vision));
     else if (!scene.lights.empty() && border.pixels >= kLeastBorder_px &&
              merged > kSomeMerge * static_cast<double>(border.pixels))
       findings.push_back(merged_in_shade(groups, pair, border));
+    else
+      continue;
+    findings.back().marks.of_colours.push_back(pair);
   }
   if (Finding note = alike_note(sight); note.count > 0) findings.push_back(std::move(note));
   return findings;
@@ -215,6 +236,14 @@ std::vector<Finding> check_darkness(const Scene& scene, const ColourGroups& grou
       "surface is lost",
       findings.size(), vision.intensity_min, 100 * lost_px / whole_px);
   all.count = static_cast<std::size_t>(lost_px);
+  all.where.clear();
+  all.marks.primitives.clear();
+  for (Finding& finding : findings) {
+    all.examples.push_back({finding.message, finding.count, finding.where});
+    all.marks.primitives.insert(all.marks.primitives.end(), finding.marks.primitives.begin(),
+                                finding.marks.primitives.end());
+  }
+  put_worst_first(all.examples);
   return {all};
 }
 

@@ -26,6 +26,10 @@ std::vector<Finding> check_darkness(const Scene& scene, const ColourGroups& grou
 bool is_inseparable(const ColourGroups::Group& a, const ColourGroups::Group& b,
                     const VisionParameters& vision);
 
+// By how much they differ, and what would be needed.
+std::string inseparable_words(const ColourGroups::Group& a, const ColourGroups::Group& b,
+                              const VisionParameters& vision);
+
 // Too dark to be seen.
 bool is_background(const Eigen::Vector3d& colour, const VisionParameters& vision);
 

@@ -41,6 +41,22 @@ std::size_t enough_colours(const std::vector<WeighedColour>& colours,
   return kCounts.back();
 }
 
+void note_pairs(const ColourGroups& groups, const Sight& sight, const VisionParameters& vision,
+                ColourCrowd& crowd) {
+  std::vector<std::size_t> first_of(groups.groups.size(), 0);
+  for (std::size_t k = groups.group_of.size(); k-- > 0;)
+    if (groups.group_of[k] != ColourGroups::kNone) first_of[groups.group_of[k]] = k + 1;
+  for (const auto& [pair, border] : sight.borders) {
+    const auto &a = groups.groups[pair.first], &b = groups.groups[pair.second];
+    if (is_inseparable(a, b, vision))
+      crowd.touching.push_back({inseparable_words(a, b, vision),
+                                border.pixels,
+                                {first_of[pair.first], first_of[pair.second]}});
+  }
+  std::stable_sort(crowd.touching.begin(), crowd.touching.end(),
+                   [](const auto& a, const auto& b) { return a.count > b.count; });
+}
+
 }  // namespace
 
 bool ColourCrowd::has_primitive(const ColourGroups& groups, std::size_t primitive) const {
@@ -58,6 +74,7 @@ ColourCrowd find_crowd(const ColourGroups& groups, const Sight& sight,
     ++crowd.pairs;
     crowd.has[pair.first] = crowd.has[pair.second] = true;
   }
+  if (crowd.pairs > ColourCrowd::kFewPairs) note_pairs(groups, sight, vision, crowd);
   crowd.colours = static_cast<std::size_t>(std::count(crowd.has.begin(), crowd.has.end(), true));
   if (!crowd.is_one()) return crowd;
   const std::vector<WeighedColour> colours = seen_colours(groups, sight);
@@ -80,17 +97,22 @@ Finding crowd_finding(const ColourCrowd& crowd, const ColourGroups& groups, bool
                     file, crowd.enough)
               : "use fewer colours, or ones that differ in the ratio of r : g : b; --fix moves "
                 "those that touch apart";
-  return {"colours",
-          "crowded_colours",
-          Severity::warning,
-          fmt::format("{} colours, and {:.0f} % of the surface is in {} of them that touch others "
-                      "too like them, in {} pairs: whatever they show counts as one region or "
-                      "as crumbs",
-                      groups.groups.size(), 100 * crowd.share, crowd.colours, crowd.pairs),
-          cure,
-          crowd.pairs,
-          {},
-          !is_mesh};
+  Finding finding{
+      "colours",
+      "crowded_colours",
+      Severity::warning,
+      fmt::format("{} colours, and {:.0f} % of the surface is in {} of them that touch others "
+                  "too like them, in {} pairs: whatever they show counts as one region or "
+                  "as crumbs",
+                  groups.groups.size(), 100 * crowd.share, crowd.colours, crowd.pairs),
+      cure,
+      crowd.pairs,
+      {},
+      !is_mesh};
+  finding.examples = crowd.touching;
+  for (std::size_t k = 0; k < groups.group_of.size(); ++k)
+    if (crowd.has_primitive(groups, k)) finding.marks.primitives.push_back(k);
+  return finding;
 }
 
 }  // namespace aspect

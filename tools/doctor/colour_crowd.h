@@ -13,6 +13,7 @@ struct ColourCrowd {
   std::size_t pairs = 0;    // that touch
   std::size_t enough = 0;   // so many colours show nearly all of the surface as it is
   double share = 0;         // of the surface that is seen, in colours of the crowd
+  std::vector<FindingExample> touching;  // each pair, that with the longest border first
 
   // As many as can be read and mended one by one.
   static constexpr std::size_t kFewPairs = 5, kFewColours = 8;

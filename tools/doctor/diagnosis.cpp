@@ -20,9 +20,21 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+// From the file's coordinates.
+void bring_into_scene(const SourceFromObject& source, FindingMarks& marks) {
+  const auto move = [&](Eigen::Vector3d& point) {
+    point = (point - source.translation) / source.scale;
+  };
+  for (auto& line : marks.lines) std::for_each(line.begin(), line.end(), move);
+  for (auto& face : marks.faces) std::for_each(face.begin(), face.end(), move);
+  std::for_each(marks.points.begin(), marks.points.end(), move);
+}
+
 std::vector<Finding> mesh_findings(const PreparedObject& object, const ColouredMesh& mesh) {
   const std::string extension = lower_extension(object.scene_file);
   std::vector<Finding> findings = check_topology(face_set_of(mesh)).findings;
+  for (Finding& finding : findings)
+    bring_into_scene(object.scene.source_from_object, finding.marks);
   const bool in_mm = extension == ".step" || extension == ".stp";  // whatever the file's unit
   if (!in_mm) append(findings, check_unit(mesh, extension == ".gltf" || extension == ".glb"));
   return findings;

@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kTolerance = 1e-6;  // of the diameter: above the rounding of single precision
 constexpr double kCell = 16;         // tolerances
+constexpr std::size_t kMostCracks = 1000;
 
 class Welder {
  public:
@@ -22,7 +23,10 @@ class Welder {
   std::uint32_t add(const Vector3d& point) {
     const Vector3d cell = cell_of(point);
     if (const auto found = find(point)) {
-      if (set_.vertices[*found] != point) ++set_.cracked;
+      if (set_.vertices[*found] != point) {
+        ++set_.cracked;
+        if (set_.cracks.size() < kMostCracks) set_.cracks.push_back(*found);
+      }
       return *found;
     }
     const auto index = static_cast<std::uint32_t>(set_.vertices.size());
@@ -121,6 +125,7 @@ FaceSet face_set_of(const Scene& scene) {
     add_face(set, welder, points_of(primitive), {0, 0, k, surface.diffuse});
   }
   set.cracked = 0;  // each polygon has corners of its own; how they are written does not matter
+  set.cracks.clear();
   return set;
 }
 

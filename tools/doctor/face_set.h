@@ -22,9 +22,10 @@ struct FaceSet {
   std::vector<std::uint32_t> corners;  // indices of vertices, face by face
   std::vector<Face> faces;
   std::size_t cracked = 0;  // vertices that were a little off the one that stands for them
-  double tolerance = 0;     // up to where vertices are at one place
-  double diameter = 0;      // of the box about them all
-  bool wound = false;       // whether the order of corners says which side is the outer one
+  std::vector<std::uint32_t> cracks;  // some of those that stand for them
+  double tolerance = 0;               // up to where vertices are at one place
+  double diameter = 0;                // of the box about them all
+  bool wound = false;  // whether the order of corners says which side is the outer one
 
   std::span<const std::uint32_t> corners_of(std::size_t face) const {
     return {corners.data() + faces[face].first, faces[face].count};

@@ -34,6 +34,7 @@ class Winder {
     for (const Piece& piece : pieces_) {
       if (!piece.has_sides) {
         ++winding.one_sided;
+        append(piece.faces, winding.without_sides);
         continue;
       }
       const bool outwards =
@@ -43,6 +44,7 @@ class Winder {
         if (is_hollow(piece)) continue;
         ++winding.inside_out;
         winding.inside_out_faces.push_back(piece.faces.front());
+        append(piece.faces, winding.inverted);
       } else {
         winding.flipped_count += flipped;
       }
@@ -53,6 +55,10 @@ class Winder {
   }
 
  private:
+  static void append(const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& all) {
+    all.insert(all.end(), faces.begin(), faces.end());
+  }
+
   void gather_links(const FaceEdges& edges) {
     first_.assign(set_.faces.size() + 1, 0);
     for (const FaceLink& link : edges.links)

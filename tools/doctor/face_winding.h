@@ -11,6 +11,8 @@ struct FaceWinding {
   std::size_t inside_out = 0;     // closed pieces that show their inner side all over
   std::size_t one_sided = 0;      // pieces that have no two sides, as a Moebius strip
   std::vector<std::size_t> inside_out_faces;  // one of each such piece
+  std::vector<std::uint32_t> inverted;        // all faces of closed pieces that are inside out
+  std::vector<std::uint32_t> without_sides;   // all faces of pieces of one side only
 };
 
 // Faces joined by edges are a piece. In a closed one the faces that show the inner side are

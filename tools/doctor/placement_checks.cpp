@@ -76,6 +76,10 @@ std::vector<Finding> check_place(const Scene& scene, const WorkingDistance& dist
          1,
          {},
          true});
+  if (!findings.empty()) {
+    findings.back().marks.lines.push_back({scene.studio.at, centre});
+    findings.back().marks.points = {scene.studio.at, centre};
+  }
   const std::string scaling = fmt::format("scale it by {:.4g}", 0.9 * fitting / radius);
   if (radius > fitting)
     findings.push_back(

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/command_line/terminal_colour.h"
+#include "tools/doctor/finding_lines.h"
 
 namespace aspect {
 namespace {
@@ -22,25 +23,23 @@ std::string severity_text(Severity severity, bool colours) {
   return toned(name, severity == Severity::error ? Tone::bad : Tone::doubtful, colours);
 }
 
-void add(const Diagnosis& diagnosis, bool colours, std::string& text) {
+void add(const Diagnosis& diagnosis, bool colours, bool all, std::string& text) {
+  const std::vector<FindingLine> lines = finding_lines(diagnosis, all);
+  const auto count = [&](Severity severity) {
+    return static_cast<std::size_t>(
+        std::count_if(lines.begin(), lines.end(),
+                      [&](const FindingLine& line) { return line.severity == severity; }));
+  };
   text += fmt::format("{}: {} surfaces, {}, {}, {}\n", diagnosis.object, diagnosis.primitives,
-                      plural(diagnosis.count(Severity::error), "error"),
-                      plural(diagnosis.count(Severity::warning), "warning"),
-                      plural(diagnosis.count(Severity::note), "note"));
+                      plural(count(Severity::error), "error"),
+                      plural(count(Severity::warning), "warning"),
+                      plural(count(Severity::note), "note"));
   std::string_view group;
-  for (const Finding& finding : diagnosis.findings) {
-    if (finding.group != group) text += fmt::format("  {}\n", finding.group);
-    group = finding.group;
-    text += fmt::format("    {} {}: {}", severity_text(finding.severity, colours), finding.code,
-                        finding.message);
-    if (!finding.where.empty())
-      text += fmt::format(
-          " [at {}{}]", fmt::join(finding.where, ", "),
-          finding.where.size() < finding.count && finding.where.size() == Finding::kMostPlaces
-              ? ", ..."
-              : "");
-    if (!finding.names.empty()) text += fmt::format(" ({})", fmt::join(finding.names, ", "));
-    text += fmt::format("; cure: {}\n", finding.cure);
+  for (const FindingLine& line : lines) {
+    if (line.group != group) text += fmt::format("  {}\n", line.group);
+    group = line.group;
+    text += fmt::format("    {} {} {}: {}; cure: {}\n", line.label,
+                        severity_text(line.severity, colours), line.code, line.text, line.cure);
   }
 }
 
@@ -50,8 +49,10 @@ Json json_of(const Eigen::Vector3d& v) {
 
 Json json_of(const Diagnosis& diagnosis) {
   Json findings = Json::array();
+  const std::vector<std::size_t> numbers = kind_numbers(diagnosis);
   for (const Finding& finding : diagnosis.findings)
-    findings.push_back({{"group", finding.group},
+    findings.push_back({{"number", numbers[findings.size()]},
+                        {"group", finding.group},
                         {"code", finding.code},
                         {"severity", severity_name(finding.severity)},
                         {"message", finding.message},
@@ -59,8 +60,12 @@ Json json_of(const Diagnosis& diagnosis) {
                         {"count", finding.count},
                         {"where", finding.where},
                         {"can_fix", finding.can_fix}});
-  for (std::size_t k = 0; k < findings.size(); ++k)
+  for (std::size_t k = 0; k < findings.size(); ++k) {
     if (!diagnosis.findings[k].names.empty()) findings[k]["names"] = diagnosis.findings[k].names;
+    for (const FindingExample& example : diagnosis.findings[k].examples)
+      findings[k]["examples"].push_back(
+          {{"message", example.message}, {"count", example.count}, {"where", example.where}});
+  }
   return {{"object", diagnosis.object},
           {"surfaces", diagnosis.primitives},
           {"errors", diagnosis.count(Severity::error)},
@@ -77,12 +82,11 @@ bool DoctorReport::is_healthy() const {
                      [](const Diagnosis& object) { return object.is_healthy(); });
 }
 
-std::string report_text(const DoctorReport& report, bool colours) {
+std::string report_text(const DoctorReport& report, bool colours, bool all) {
   std::string text;
-  for (const Diagnosis& object : report.objects) add(object, colours, text);
-  for (const std::string& picture : report.pictures)
-    text +=
-        fmt::format("{}: written, as it is on the left, in merged colours on the right\n", picture);
+  for (const Diagnosis& object : report.objects) add(object, colours, all, text);
+  for (const DoctorReport::Shown& picture : report.pictures)
+    text += fmt::format("{}: written, {}\n", picture.file, picture.what);
   if (!report.fix) return text;
   text += fmt::format("{}: written\n", report.fix->output);
   for (const std::string& line : report.fix->done) text += fmt::format("    {}\n", line);
@@ -92,14 +96,15 @@ std::string report_text(const DoctorReport& report, bool colours) {
         move.before.x(), move.before.y(), move.before.z(), move.after.x(), move.after.y(),
         move.after.z(), move.separation_before, move.separation_after);
   text += "after that ";
-  add(report.fix->left, colours, text);
+  add(report.fix->left, colours, all, text);
   return text;
 }
 
 std::string report_json(const DoctorReport& report) {
   Json json = {{"file", report.file}, {"objects", Json::array()}};
   for (const Diagnosis& object : report.objects) json["objects"].push_back(json_of(object));
-  if (!report.pictures.empty()) json["pictures"] = report.pictures;
+  for (const DoctorReport::Shown& picture : report.pictures)
+    json["pictures"].push_back(picture.file);
   if (report.fix) {
     Json moves = Json::array();
     for (const ColourMove& move : report.fix->moves)

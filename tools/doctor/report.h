@@ -20,14 +20,18 @@ struct FixReport {
 struct DoctorReport {
   std::string file;
   std::vector<Diagnosis> objects;
-  std::vector<std::string> pictures;  // files
+  struct Shown {
+    std::string file, what;  // "as it is on the left, in merged colours on the right"
+  };
+  std::vector<Shown> pictures;
   std::optional<FixReport> fix;
 
   bool is_healthy() const;
 };
 
-// With the severities in colour for a terminal.
-std::string report_text(const DoctorReport& report, bool colours = false);
+// With the severities in colour for a terminal; `all`: a line for each finding, and not for each
+// kind.
+std::string report_text(const DoctorReport& report, bool colours = false, bool all = false);
 std::string report_json(const DoctorReport& report);
 
 }  // namespace aspect

@@ -86,6 +86,17 @@ bool bears(const Primitive& primitive, const Rim& rim) {
   return true;
 }
 
+void mark(const Rim& rim, FindingMarks& marks) {
+  constexpr int kSides = 48;
+  if (marks.lines.size() + kSides > FindingMarks::kMost) return;
+  const Vector3d u = rim.radius * rim.normal.unitOrthogonal(), v = rim.normal.cross(u);
+  const auto at = [&](int side) {
+    const double angle = kRound * side / kSides;
+    return Vector3d(rim.center + std::cos(angle) * u + std::sin(angle) * v);
+  };
+  for (int side = 0; side < kSides; ++side) marks.lines.push_back({at(side), at(side + 1)});
+}
+
 }  // namespace
 
 std::vector<Finding> check_rims(const Scene& scene) {
@@ -109,6 +120,7 @@ std::vector<Finding> check_rims(const Scene& scene) {
     if (closed) continue;
     ++open.count;
     if (open.where.size() < Finding::kMostPlaces) open.where.push_back(rim.primitive + 1);
+    mark(rim, open.marks);
   }
   if (open.count == 0) return {};
   open.message = fmt::format(

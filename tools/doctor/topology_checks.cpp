@@ -23,6 +23,24 @@ void note_place(Finding& finding, std::size_t place) {
     where.push_back(place);
 }
 
+void mark_face(Finding& finding, const FaceSet& set, std::size_t face) {
+  if (finding.marks.faces.size() == FindingMarks::kMost) return;
+  std::vector<Vector3d>& corners = finding.marks.faces.emplace_back();
+  for (const std::uint32_t corner : set.corners_of(face)) corners.push_back(set.vertices[corner]);
+}
+
+// As a place, by its number in the file, and for pictures.
+void note_face(Finding& finding, const FaceSet& set, std::size_t face) {
+  note_place(finding, set.faces[face].number + 1);
+  mark_face(finding, set, face);
+}
+
+void note_edge(Finding& finding, const FaceSet& set, const BorderPiece& piece) {
+  note_place(finding, set.faces[piece.face].number + 1);
+  if (finding.marks.lines.size() < FindingMarks::kMost)
+    finding.marks.lines.push_back({set.vertices[piece.from], set.vertices[piece.to]});
+}
+
 bool has_area(const FaceSet& set, std::size_t face) {
   const auto corners = set.corners_of(face);
   const Vector3d& origin = set.vertices[corners[0]];
@@ -43,7 +61,7 @@ Finding leave_out_empty(const FaceSet& set, std::vector<bool>& kept) {
     if (has_area(set, face)) continue;
     kept[face] = false;
     ++finding.count;
-    note_place(finding, set.faces[face].number + 1);
+    note_face(finding, set, face);
   }
   finding.message = fmt::format("faces without area: {} of {}", finding.count, set.faces.size());
   finding.cure = "remove them; --fix does";
@@ -81,7 +99,7 @@ std::vector<Finding> leave_out_repeated(const FaceSet& set, std::vector<bool>& k
     Finding& finding = alike ? same : clash;
     kept[keys[k].second] = false;
     ++finding.count;
-    note_place(finding, face.number + 1);
+    note_face(finding, set, keys[k].second);
   }
   same.message = fmt::format("faces that repeat another one of the same colour: {}", same.count);
   clash.message = fmt::format(
@@ -92,16 +110,20 @@ std::vector<Finding> leave_out_repeated(const FaceSet& set, std::vector<bool>& k
 }
 
 Finding cracks_of(const FaceSet& set) {
-  return {kGroup,
-          "cracked_vertices",
-          Severity::warning,
-          fmt::format("vertices within {:.2g} of another one, of a size of {:.4g}, so that faces "
-                      "look joined and are not: {}",
-                      set.tolerance, set.diameter, set.cracked),
-          "merge vertices by distance; --fix does",
-          set.cracked,
-          {},
-          true};
+  Finding finding{
+      kGroup,
+      "cracked_vertices",
+      Severity::warning,
+      fmt::format("vertices within {:.2g} of another one, of a size of {:.4g}, so that faces "
+                  "look joined and are not: {}",
+                  set.tolerance, set.diameter, set.cracked),
+      "merge vertices by distance; --fix does",
+      set.cracked,
+      {},
+      true};
+  for (const std::uint32_t vertex : set.cracks)
+    finding.marks.points.push_back(set.vertices[vertex]);
+  return finding;
 }
 
 std::vector<Finding> edge_findings(const FaceSet& set, const FaceEdges& edges) {
@@ -116,7 +138,7 @@ std::vector<Finding> edge_findings(const FaceSet& set, const FaceEdges& edges) {
   double length = 0;
   for (const BorderPiece& piece : edges.open) {
     length += (set.vertices[piece.to] - set.vertices[piece.from]).norm();
-    note_place(open, set.faces[piece.face].number + 1);
+    note_edge(open, set, piece);
   }
   open.message =
       fmt::format("open edges, through which the inside can be seen: {}, {:.4g} long together",
@@ -132,8 +154,7 @@ std::vector<Finding> edge_findings(const FaceSet& set, const FaceEdges& edges) {
       {},
       false};
   crowded.message = fmt::format("edges of more than two faces: {}", crowded.count);
-  for (const BorderPiece& piece : edges.crowded)
-    note_place(crowded, set.faces[piece.face].number + 1);
+  for (const BorderPiece& piece : edges.crowded) note_edge(crowded, set, piece);
   return {open, crowded};
 }
 
@@ -158,17 +179,22 @@ std::vector<Finding> winding_findings(const FaceSet& set, const FaceWinding& win
                    true};
   for (const std::size_t face : winding.inside_out_faces)
     note_place(inverted, set.faces[face].number + 1);
+  std::vector<bool> is_inverted(set.faces.size(), false);
+  for (const std::uint32_t face : winding.inverted) {
+    is_inverted[face] = true;
+    mark_face(inverted, set, face);
+  }
   for (std::size_t face = 0; face < set.faces.size() && flipped.count > 0; ++face)
-    if (winding.flipped[face]) note_place(flipped, set.faces[face].number + 1);
-  const Finding twisted{
-      kGroup,
-      "one_sided",
-      Severity::warning,
-      fmt::format("pieces of one side only, as a Moebius strip: {}", winding.one_sided),
-      "cut them open where faces meet head to head",
-      winding.one_sided,
-      {},
-      false};
+    if (winding.flipped[face] && !is_inverted[face]) note_face(flipped, set, face);
+  Finding twisted{kGroup,
+                  "one_sided",
+                  Severity::warning,
+                  fmt::format("pieces of one side only, as a Moebius strip: {}", winding.one_sided),
+                  "cut them open where faces meet head to head",
+                  winding.one_sided,
+                  {},
+                  false};
+  for (const std::uint32_t face : winding.without_sides) note_face(twisted, set, face);
   return {flipped, inverted, twisted};
 }
 

@@ -25,6 +25,7 @@ struct Lost {
   void append(Finding finding, std::vector<Finding>& findings) const {
     if (parts.empty()) return;
     finding.count = parts.size();
+    for (const std::size_t part : parts) finding.marks.primitives.push_back(part - 1);
     finding.where.assign(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                             parts.size(), Finding::kMostPlaces)));
     findings.push_back(std::move(finding));

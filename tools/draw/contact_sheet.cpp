@@ -9,7 +9,7 @@
 namespace aspect {
 namespace {
 
-const cv::Scalar kPaper(48, 48, 48);
+const cv::Scalar kDarkDesk(48, 48, 48);
 
 cv::Size cell_size(std::span<const SheetPicture> pictures) {
   cv::Size cell(1, 1);
@@ -55,7 +55,7 @@ cv::Mat contact_sheet(std::span<const SheetPicture> pictures, int columns) {
   const cv::Size step(cell.width + kSheetMargin_px, cell.height + caption_px + kSheetMargin_px);
   const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
   cv::Mat sheet(rows * step.height + kSheetMargin_px, columns * step.width + kSheetMargin_px,
-                CV_8UC3, kPaper);
+                CV_8UC3, kDarkDesk);
   for (int k = 0; k < static_cast<int>(pictures.size()); ++k) {
     const SheetPicture& entry = pictures[static_cast<std::size_t>(k)];
     const cv::Point corner(kSheetMargin_px + k % columns * step.width,

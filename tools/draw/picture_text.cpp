@@ -33,6 +33,23 @@ int outline_px(const TextStyle& style) {
   return style.thickness_px + 1;
 }
 
+// Null: without an outline.
+void put(cv::Mat& picture, const std::string& text, cv::Point corner, const TextStyle& style,
+         const cv::Scalar& colour, const cv::Scalar* outline) {
+  const cv::Size size = text_size(text, style);
+  const int x = std::max(0, std::min(corner.x, picture.cols - size.width));
+  const int y = std::max(0, std::min(corner.y, picture.rows - size.height));
+  const std::string clean = printable(text);
+  int below_px = 0;
+  const int above_px =
+      cv::getTextSize(clean, kFont, style.scale, style.thickness_px, &below_px).height;
+  const cv::Point base(x + outline_px(style), y + outline_px(style) + above_px);
+  if (outline != nullptr)
+    cv::putText(picture, clean, base, kFont, style.scale, *outline,
+                style.thickness_px + 2 * outline_px(style), cv::LINE_AA);
+  cv::putText(picture, clean, base, kFont, style.scale, colour, style.thickness_px, cv::LINE_AA);
+}
+
 }  // namespace
 
 TextStyle text_style_for(cv::Size picture) {
@@ -56,17 +73,13 @@ cv::Size text_size(const std::string& text, const TextStyle& style) {
 
 void draw_text(cv::Mat& picture, const std::string& text, cv::Point corner, const TextStyle& style,
                const cv::Scalar& colour) {
-  const cv::Size size = text_size(text, style);
-  const int x = std::max(0, std::min(corner.x, picture.cols - size.width));
-  const int y = std::max(0, std::min(corner.y, picture.rows - size.height));
-  const std::string clean = printable(text);
-  int below_px = 0;
-  const int above_px =
-      cv::getTextSize(clean, kFont, style.scale, style.thickness_px, &below_px).height;
-  const cv::Point base(x + outline_px(style), y + outline_px(style) + above_px);
-  cv::putText(picture, clean, base, kFont, style.scale, {20, 20, 20},
-              style.thickness_px + 2 * outline_px(style), cv::LINE_AA);
-  cv::putText(picture, clean, base, kFont, style.scale, colour, style.thickness_px, cv::LINE_AA);
+  const cv::Scalar dark(20, 20, 20);
+  put(picture, text, corner, style, colour, &dark);
+}
+
+void draw_dark_text(cv::Mat& picture, const std::string& text, cv::Point corner,
+                    const TextStyle& style, const cv::Scalar& colour) {
+  put(picture, text, corner, style, colour, nullptr);
 }
 
 cv::Rect LabelPlacer::within_picture(cv::Point corner, cv::Size size) const {

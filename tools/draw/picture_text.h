@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/draw/paper.h"
+
 namespace aspect {
 
 struct TextStyle {
@@ -24,6 +26,10 @@ cv::Size text_size(const std::string& text, const TextStyle& style);
 // What the font does not have becomes a question mark.
 void draw_text(cv::Mat& picture, const std::string& text, cv::Point corner, const TextStyle& style,
                const cv::Scalar& colour = {255, 255, 255});
+
+// Dark text without an outline, for light paper; otherwise the same.
+void draw_dark_text(cv::Mat& picture, const std::string& text, cv::Point corner,
+                    const TextStyle& style, const cv::Scalar& colour = kInk);
 
 // Texts that keep out of each other's way.
 class LabelPlacer {

@@ -7,6 +7,7 @@
 #include "tools/eval/background_pictures.h"
 #include "tools/eval/clutter_dump.h"
 #include "tools/eval/clutter_report.h"
+#include "tools/eval/plots.h"
 #include "tools/eval/recall_svg.h"
 
 namespace aspect {
@@ -67,6 +68,8 @@ void run_clutter(std::span<const EvaluatedObject> objects, const EvalOptions& op
   const std::string text = options.json ? clutter_json(evaluation) : clutter_text(evaluation);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     console.fail("standard output: cannot be written; check where it goes");
+  if (!options.plots.empty())
+    if (const auto fault = write_plots(evaluation, options.plots)) console.fail(fault->message);
   if (options.recall.empty()) return;
   if (const auto done = write_whole_text(options.recall, recall_svg(evaluation)); !done)
     console.fail(done.error());

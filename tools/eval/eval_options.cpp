@@ -47,13 +47,15 @@ Examples:
   aspect-eval --index cube.aspect --scene cube.b
   aspect-eval --index a.aspect --scene a.b --index b.aspect --scene b.b --views 1000 --json
   aspect-eval --index two.aspect --scene a.b --scene b.b --reliability plot.svg
+  aspect-eval --index two.aspect --scene a.b --scene b.b --plots plots
   aspect-eval --index cube.aspect --scene cube.b --clutter --backgrounds photos --hidden 0.3
 )";
 
 struct RawOptions {
   EvalOptions options;
   std::vector<std::string> indexes, scenes;
-  std::string matching = "weighted", ranking = "views", reliability, backgrounds, dump, recall;
+  std::string matching = "weighted", ranking = "views", reliability, backgrounds, dump, recall,
+              plots, thesis;
 };
 
 void add_files(CLI::App& app, const std::string& name, std::vector<std::string>& files,
@@ -94,6 +96,15 @@ void add_options(CLI::App& app, RawOptions& raw) {
                  "write a plot of the share of right answers against their probability; of all "
                  "indexes at once where there are several")
       ->type_name("FILE.svg");
+  CLI::Option* plots =
+      app.add_option("--plots", raw.plots,
+                     "write plots to this folder: rank, pose_error, reliability and, of several "
+                     "objects, confusion; in clutter recall and pose_error")
+          ->type_name("FOLDER");
+  app.add_option("--thesis-ranks", raw.thesis,
+                 "draw the thesis's ranks beside ours: a table object,top1,top2,...")
+      ->type_name("FILE.csv")
+      ->needs(plots);
   app.add_flag("--json", raw.options.json, "print one JSON object with everything");
 }
 
@@ -130,6 +141,8 @@ EvalOptions finished(RawOptions raw) {
   options.backgrounds = raw.backgrounds;
   options.dump = raw.dump;
   options.recall = raw.recall;
+  options.plots = raw.plots;
+  options.thesis = raw.thesis;
   return options;
 }
 
@@ -157,6 +170,10 @@ std::variant<EvalOptions, int> parse_eval_options(int argc, const char* const* a
     print_failure("aspect-eval",
                   "--reliability: with --ranking classes nothing is judged; leave one of "
                   "them out");
+    return kUsageError;
+  }
+  if (options.clutter && !options.thesis.empty()) {
+    print_failure("aspect-eval", "--thesis-ranks: not with --clutter; leave one of them out");
     return kUsageError;
   }
   if (options.clutter &&

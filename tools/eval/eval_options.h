@@ -24,6 +24,8 @@ struct EvalOptions {
   double hidden_max = 0.7;            // share of the object
   std::filesystem::path dump;         // folder that the frames are written to; empty: none
   std::filesystem::path recall;       // of a plot; empty: none
+  std::filesystem::path plots;        // folder of all plots; empty: none
+  std::filesystem::path thesis;       // table of ranks to draw beside ours; empty: none
 };
 
 // The complaint where indexes and scenes are not as many.

@@ -12,6 +12,7 @@
 #include "tools/eval/clutter_run.h"
 #include "tools/eval/evaluation_json.h"
 #include "tools/eval/evaluation_text.h"
+#include "tools/eval/plots.h"
 #include "tools/eval/reliability_svg.h"
 #include "tools/replay/console.h"
 
@@ -88,17 +89,24 @@ void write_plot(const Evaluation& evaluation, const std::filesystem::path& file,
   if (const auto done = write_whole_text(file, svg); !done) console.fail(done.error());
 }
 
+// Before hours of work.
+std::optional<Error> output_fault(const EvalOptions& options) {
+  for (const std::filesystem::path& plot : {options.reliability, options.recall}) {
+    if (plot.empty()) continue;
+    if (const auto done = check_writable(plot); !done) return Error{done.error()};
+  }
+  return options.plots.empty() ? std::nullopt : prepare_plots(options.plots);
+}
+
 }  // namespace
 
 int run_evaluation(const EvalOptions& options) {
   Console console("aspect-eval");
-  for (const std::filesystem::path& plot : {options.reliability, options.recall}) {
-    if (plot.empty()) continue;
-    if (const auto done = check_writable(plot); !done) {
-      console.fail(done.error());
-      return 1;
-    }
-  }
+  const Result<ThesisRanks> thesis =
+      options.thesis.empty() ? ThesisRanks{} : read_thesis_ranks(options.thesis);
+  if (!thesis) console.fail(thesis.error());
+  if (const auto fault = output_fault(options)) console.fail(fault->message);
+  if (console.failures() > 0) return 1;
   std::vector<NamedIndex> indexes = load_index_files(options, console);
   if (console.failures() > 0) return 1;
   if (indexes.size() != options.scenes.size()) {
@@ -122,6 +130,9 @@ int run_evaluation(const EvalOptions& options) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     console.fail("standard output: cannot be written; check where it goes");
   if (!options.reliability.empty()) write_plot(evaluation, options.reliability, console);
+  if (!options.plots.empty())
+    if (const auto fault = write_plots(evaluation, thesis.value(), options.plots))
+      console.fail(fault->message);
   return console.failures() > 0 ? 1 : 0;
 }
 

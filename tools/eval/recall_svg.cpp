@@ -2,86 +2,64 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <iterator>
+#include <algorithm>
 
 #include "tools/eval/wilson_interval.h"
+#include "tools/plot/svg_plot.h"
 
 namespace aspect {
 namespace {
 
-constexpr double kLeft_px = 70, kTop_px = 60, kSide_px = 400;
-constexpr double kMostHidden = kHiddenRanges.back().to;
-constexpr std::array kColours = {"steelblue", "darkorange", "seagreen", "firebrick", "purple"};
+constexpr double kMostHidden = 100 * kHiddenRanges.back().to;
 
-constexpr const char* kHead =
-    R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="500" height="520"
- font-family="sans-serif" font-size="12" text-anchor="middle">
-<rect width="500" height="520" fill="white"/>
-<text x="270" y="24" font-size="14">{} frames in clutter an object</text>
-<text x="270" y="505">share hidden</text>
-<text x="20" y="260" transform="rotate(-90 20 260)">recall</text>
-<rect x="70" y="60" width="400" height="400" fill="none" stroke="black"/>
-)svg";
-
-double x_px(double hidden) {
-  return kLeft_px + kSide_px * hidden / kMostHidden;
+// Beside each other where they are of one height.
+double shift_percent(std::size_t series) {
+  return 0.9 * static_cast<double>(series % 7);
 }
 
-double y_px(double share) {
-  return kTop_px + kSide_px * (1 - share);
-}
-
-// File names may hold anything.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-std::string curve(const ObjectClutter& object, const char* colour, double shift_px) {
-  std::string marks, line;
+void draw_curve(SvgPage& page, PlotPanel& panel, const ObjectClutter& object, std::size_t series) {
+  std::vector<PlotPoint> middles;
   for (std::size_t k = 0; k < kHiddenRanges.size(); ++k) {
     const Recall& recall = object.by_hidden[k];
     if (recall.frames == 0) continue;
     const Share share = share_of(recall.found, recall.frames);
-    const double x = x_px((kHiddenRanges[k].from + kHiddenRanges[k].to) / 2) + shift_px;
-    line += fmt::format("{:.1f},{:.1f} ", x, y_px(share.share));
-    marks += fmt::format(
-        "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" stroke=\"{3}\"/>\n"
-        "<circle cx=\"{0:.1f}\" cy=\"{4:.1f}\" r=\"4\" fill=\"{3}\"/>\n",
-        x, y_px(share.low), y_px(share.high), colour, y_px(share.share));
+    const double hidden =
+        50 * (kHiddenRanges[k].from + kHiddenRanges[k].to) + shift_percent(series);
+    page.line(panel.at(hidden, 100 * share.low), panel.at(hidden, 100 * share.high),
+              {series_colour(series), 1.5});
+    middles.push_back({hidden, 100 * share.share});
   }
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\"/>\n{}", line, colour,
-                     marks);
+  panel.curve(middles, series, true);
+}
+
+std::vector<PlotTick> range_ticks() {
+  std::vector<PlotTick> ticks = {{0, "0"}};
+  for (const HiddenRange& range : kHiddenRanges)
+    ticks.push_back({100 * range.to, fmt::format("{:.0f}", 100 * range.to)});
+  return ticks;
 }
 
 }  // namespace
 
 std::string recall_svg(const ClutterEvaluation& evaluation) {
-  std::string svg = fmt::format(kHead, evaluation.settings.views);
-  const auto out = std::back_inserter(svg);
-  for (int tick = 0; tick <= 10; tick += 2)
-    fmt::format_to(out, "<text x=\"52\" y=\"{:.1f}\">{:.1f}</text>\n", y_px(tick / 10.0) + 4,
-                   tick / 10.0);
-  fmt::format_to(out, "<text x=\"{:.1f}\" y=\"478\">0.0</text>\n", x_px(0));
-  for (const HiddenRange& range : kHiddenRanges)
-    fmt::format_to(out, "<text x=\"{:.1f}\" y=\"478\">{:.1f}</text>\n", x_px(range.to), range.to);
-  for (std::size_t k = 0; k < evaluation.objects.size(); ++k) {
-    const char* colour = kColours[k % kColours.size()];
-    // Beside each other where they are of one height.
-    svg += curve(evaluation.objects[k], colour, 6 * static_cast<double>(k % kColours.size()));
-    fmt::format_to(out, "<text x=\"460\" y=\"{}\" text-anchor=\"end\" fill=\"{}\">{}</text>\n",
-                   80 + 16 * k, colour, escaped(evaluation.objects[k].object));
-  }
-  return svg + "</svg>\n";
+  std::vector<std::string> names;
+  for (const ObjectClutter& object : evaluation.objects) names.push_back(object.object);
+  const PlotBox box{kAxisLeft_px + 12, 60, 440, 380};
+  const double legend = box.right() + 20;
+  SvgPage page(
+      legend + std::max(legend_width_px(names), 140.0) + 16,
+      std::max(box.bottom() + kAxisBelow_px,
+               box.top + 40 + kLegendLine_px * static_cast<double>(names.size())),
+      fmt::format("Found in clutter, {} frames in clutter an object", evaluation.settings.views));
+  PlotPanel panel(page, box,
+                  {"share of the object that is hidden, %", 0, kMostHidden, false, range_ticks()},
+                  {"frames in which it is found, %", 0, 100});
+  for (std::size_t k = 0; k < evaluation.objects.size(); ++k)
+    draw_curve(page, panel, evaluation.objects[k], k);
+  page.legend({legend, box.top}, names);
+  page.text({legend, box.top + kLegendLine_px * static_cast<double>(names.size()) + 22},
+            "upright: 95 % interval", {PlotAnchor::start, 12, "#555555"});
+  return page.document();
 }
 
 }  // namespace aspect

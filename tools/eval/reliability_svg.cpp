@@ -2,36 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include "tools/plot/svg_plot.h"
 
 namespace aspect {
 namespace {
 
-constexpr double kLeft_px = 70, kTop_px = 60, kSide_px = 400;
-
-constexpr const char* kHead =
-    R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="500" height="520"
- font-family="sans-serif" font-size="12" text-anchor="middle">
-<rect width="500" height="520" fill="white"/>
-<text x="270" y="24" font-size="14">{}</text>
-<text x="270" y="505">mean probability</text>
-<text x="20" y="260" transform="rotate(-90 20 260)">share right</text>
-<text x="48" y="52">views</text>
-<rect x="70" y="60" width="400" height="400" fill="none" stroke="black"/>
-<line x1="70" y1="460" x2="470" y2="60" stroke="grey" stroke-dasharray="4 4"/>
-)svg";
-
-double x_px(double probability) {
-  return kLeft_px + kSide_px * probability;
-}
-
-double y_px(double share) {
-  return kTop_px + kSide_px * (1 - share);
-}
-
 std::string title(const Reliability& reliability) {
   const auto error = reliability.expected_calibration_error();
-  if (!error) return "no view was judged";
+  if (!error) return "No view was judged";
   return fmt::format("{} views judged, expected calibration error {:.3f}", reliability.judged(),
                      *error);
 }
@@ -39,22 +17,23 @@ std::string title(const Reliability& reliability) {
 }  // namespace
 
 std::string reliability_svg(const Reliability& reliability) {
-  std::string svg = fmt::format(kHead, title(reliability));
-  const auto out = std::back_inserter(svg);
-  for (int tick = 0; tick <= 10; tick += 2) {
-    const double value = tick / 10.0;
-    fmt::format_to(out, "<text x=\"{:.1f}\" y=\"478\">{:.1f}</text>\n", x_px(value), value);
-    fmt::format_to(out, "<text x=\"52\" y=\"{:.1f}\">{:.1f}</text>\n", y_px(value) + 4, value);
-  }
+  SvgPage page(504, 540, title(reliability));
+  const PlotBox box{kAxisLeft_px + 12, 76, 400, 400};
+  PlotPanel panel(page, box, {"mean probability of a bin's views", 0, 1},
+                  {"share of them that is right", 0, 1});
+  page.text({box.left - 8, box.top - 10}, "views", {PlotAnchor::end, 12, "#555555"});
+  page.line(panel.at(0, 0), panel.at(1, 1), {"#777777", 1.2, "5 4"});
   for (std::size_t k = 0; k < kReliabilityBins; ++k) {
     const ReliabilityBin& bin = reliability.bins[k];
     if (bin.count == 0) continue;
     const double middle = (static_cast<double>(k) + 0.5) / static_cast<double>(kReliabilityBins);
-    fmt::format_to(out, "<text x=\"{:.1f}\" y=\"52\">{}</text>\n", x_px(middle), bin.count);
-    fmt::format_to(out, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"steelblue\"/>\n",
-                   x_px(bin.mean_probability), y_px(bin.right_share));
+    page.text({panel.at(middle, 1).x, box.top - 10}, fmt::to_string(bin.count),
+              {PlotAnchor::middle, 12});
+    page.mark(panel.at(bin.mean_probability, bin.right_share), 0,
+              fmt::format("{} views, believed {:.3f}, right {:.3f}", bin.count,
+                          bin.mean_probability, bin.right_share));
   }
-  return svg + "</svg>\n";
+  return page.document();
 }
 
 }  // namespace aspect

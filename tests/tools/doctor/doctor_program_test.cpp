@@ -215,6 +215,38 @@ TEST_CASE("a shaded mesh gets one warning of its colours, with the share and the
   CHECK(told[0]["code"] == "crowded_colours");
   CHECK_THAT(told[0]["message"].get<std::string>(), Catch::Contains("% of the surface"));
   CHECK_THAT(told[0]["cure"].get<std::string>(), Catch::Contains("--merge-colours 5"));
+  // It sums up every pair, the one with the longest border first.
+  const Json& pairs = told[0]["examples"];
+  CHECK(pairs.size() == told[0]["count"].get<std::size_t>());
+  for (std::size_t k = 1; k < pairs.size(); ++k)
+    REQUIRE(pairs[k]["count"].get<std::size_t>() <= pairs[k - 1]["count"].get<std::size_t>());
+  const auto lines = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  CHECK(lines(run_aspectc(folder.path(), {"doctor", "ball.ply"}).out) < 8);
+  CHECK(lines(run_aspectc(folder.path(), {"doctor", "ball.ply", "--all"}).out) >
+        static_cast<long>(pairs.size()));
+}
+
+TEST_CASE("A picture shows what is wrong, and is named in the text and in JSON") {
+  const TemporaryFolder folder;
+  folder.write("sick.ply", ply_text(sick_cuboid()));
+  const Outcome told = run_aspectc(folder.path(), {"doctor", "sick.ply", "--picture", "sick.png"});
+  CHECK(told.exit_code == 1);
+  CHECK_THAT(told.out, Catch::Contains("    1 warning zero_area_faces: ") &&
+                           Catch::Contains("sick.png: written, with the findings"));
+  const cv::Mat picture = cv::imread((folder.path() / "sick.png").string());
+  CHECK(picture.cols > 1000);
+  const Examined examined = examine(folder.path(), {"sick.ply", "--picture", "sick.png"});
+  CHECK(examined.json["pictures"] == Json{"sick.png"});
+  CHECK(examined.json["objects"][0]["findings"][0]["number"] == 1);
+  check_refused(run_aspectc(folder.path(), {"doctor", "sick.ply", "--picture", "none/x.png"}), 1,
+                "none/x.png: cannot be written");
+  folder.write("two.toml",
+               "[[object]]\nname = \"a\"\nscene = \"sick.ply\"\n[[object]]\nname = \"b\"\n"
+               "scene = \"sick.ply\"\n");
+  check_refused(run_aspectc(folder.path(), {"doctor", "two.toml", "--picture", "x.png"}), 2,
+                "--picture names one file");
 }
 
 TEST_CASE("merged colours are judged and shown: each half of the picture has its own") {

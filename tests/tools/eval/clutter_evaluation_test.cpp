@@ -7,6 +7,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/scene/bob_reader.h"
+#include "tests/tools/plot/drawn_svg.h"
 #include "tools/eval/clutter_report.h"
 #include "tools/eval/recall_svg.h"
 
@@ -97,10 +98,15 @@ TEST_CASE("The sums are printed in tables, as JSON and as a plot") {
   CHECK(clutter.at("recall_by_hidden").at(1).at("hidden_to") == 0.3);
   CHECK(clutter.at("frames").size() == 9);
   CHECK(json.at("backgrounds").is_null());
-  // In the middle of 0.1 to 0.3 of 0.7, half the way up.
-  CHECK_THAT(recall_svg(evaluation), Contains("cx=\"184.3\" cy=\"260.0\"") &&
-                                         Contains("part &lt;1>") &&
-                                         Catch::Matchers::EndsWith("</svg>\n"));
+  const auto drawn = drawn_svg(recall_svg(evaluation));
+  CHECK(drawn["outside"].empty());
+  // In the middle of 10 to 30 of 70 %, half the way up, of 440 and 380 px from 80, 440.
+  REQUIRE(drawn["curves"].size() == 1);
+  CHECK(drawn["curves"][0]["points"][1][0].get<double>() ==
+        Approx(80 + 440 * 2 / 7.0).margin(0.06));
+  CHECK(drawn["curves"][0]["points"][1][1] == 250);
+  CHECK(drawn["marks"] == 5);
+  CHECK(std::count(drawn["texts"].begin(), drawn["texts"].end(), "part <1>") == 1);
 }
 
 TEST_CASE("A cube is found where it is, with any number of threads") {

@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 
 #include "tests/child_program.h"
 #include "tests/temporary_folder.h"
+#include "tests/tools/plot/drawn_svg.h"
 #include "tools/score/truth_table.h"
 
 namespace aspect {
@@ -102,10 +104,34 @@ TEST_CASE("A reliability plot is written whole, or the run ends before it begins
     CHECK(entry.path().extension() != ".part");
 }
 
+TEST_CASE("All plots are written to a folder that need not be there") {
+  const Evaluations evaluations;
+  evaluations.write("ranks.csv", "object,top1,top2\nCUBE,40,60\n");
+  const Outcome outcome =
+      evaluations.eval(kCube + "--views 5 --plots made/plots --thesis-ranks ranks.csv");
+  CHECK(outcome.err == "");
+  CHECK(outcome.exit_code == 0);
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(evaluations.path() / "made/plots"))
+    names.insert(entry.path().filename());
+  CHECK(names == std::set<std::string>{"rank.svg", "pose_error.svg", "reliability.svg"});
+  const auto drawn = drawn_svg(read_file(evaluations.path() / "made/plots/rank.svg"));
+  CHECK(drawn["curves"].size() == 3);
+  for (const std::string& arguments :
+       {std::string("--plots cube.aspect/x"), std::string("--plots p --thesis-ranks none.csv"),
+        std::string("--plots p --thesis-ranks cube.aspect")}) {
+    const Outcome refused = evaluations.eval(kCube + "--views 5 " + arguments);
+    CHECK(refused.exit_code == 1);
+    CHECK(refused.out == "");
+    CHECK(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+  }
+  CHECK(evaluations.eval(kCube + "--views 5 --thesis-ranks ranks.csv").exit_code == 2);
+}
+
 TEST_CASE("Frames in clutter are measured, and written with their truth") {
   const Evaluations evaluations;
-  const Outcome outcome =
-      evaluations.eval(kCube + "--clutter --views 8 --json --dump frames --recall recall.svg");
+  const Outcome outcome = evaluations.eval(
+      kCube + "--clutter --views 8 --json --dump frames --recall recall.svg --plots plots");
   CHECK(outcome.err == "");
   REQUIRE(outcome.exit_code == 0);
   const auto parsed = nlohmann::json::parse(outcome.out);
@@ -125,6 +151,9 @@ TEST_CASE("Frames in clutter are measured, and written with their truth") {
           Approx(clutter["frames"][k]["visible"].get<double>()).margin(1e-4));
   }
   CHECK_THAT(read_file(evaluations.path() / "recall.svg"), Contains("8 frames in clutter"));
+  CHECK(read_file(evaluations.path() / "plots/recall.svg") ==
+        read_file(evaluations.path() / "recall.svg"));
+  CHECK(drawn_svg(read_file(evaluations.path() / "plots/pose_error.svg"))["outside"].empty());
   CHECK_THAT(evaluations.eval(kCube + "--clutter --views 4 --backgrounds frames").out,
              Contains("before pieces of 8 pictures of frames"));
 }

@@ -1,21 +1,16 @@
 #include "tools/eval/reliability.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "tests/tools/plot/drawn_svg.h"
 #include "tools/eval/reliability_svg.h"
 
 namespace aspect {
 namespace {
 
-using Catch::Matchers::Contains;
-
-std::size_t count_of(const std::string& part, const std::string& text) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++count;
-  return count;
-}
+using Json = nlohmann::json;
 
 }  // namespace
 
@@ -73,29 +68,24 @@ TEST_CASE("Of nothing there are no shares") {
 }
 
 TEST_CASE("The plot has a point for each bin with views, its number over it, and the diagonal") {
-  // 400 px a side from 70, 60: 0.2 of it is at 150, 0.75 up from the bottom at 160.
+  // 400 px a side from 80, 76: 0.2 of it is at 160, 0.75 up from the bottom at 176.
   std::array<JudgedView, 5> views;
   views.fill({Verdict::unknown, 0.2, true});
   views[3].right = false;
   views[4] = {Verdict::match, 1, true};
-  const std::string svg = reliability_svg(reliability_of(views));
-  CHECK_THAT(svg, Catch::Matchers::StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\"") &&
-                      Catch::Matchers::EndsWith("</svg>\n"));
-  CHECK(count_of("<circle", svg) == 2);
-  CHECK_THAT(svg, Contains("<circle cx=\"150.0\" cy=\"160.0\""));
-  CHECK_THAT(svg, Contains("<circle cx=\"470.0\" cy=\"60.0\""));
-  CHECK_THAT(svg, Contains("<text x=\"170.0\" y=\"52\">4</text>"));
-  CHECK_THAT(svg, Contains("<text x=\"450.0\" y=\"52\">1</text>"));
-  CHECK_THAT(svg, Contains("<line x1=\"70\" y1=\"460\" x2=\"470\" y2=\"60\""));
+  const Json drawn = drawn_svg(reliability_svg(reliability_of(views)));
+  CHECK(drawn["circles"] == Json{{160, 176}, {480, 76}});
+  CHECK(drawn["outside"].empty());
+  CHECK(std::count(drawn["lines"].begin(), drawn["lines"].end(), Json{{80, 476}, {480, 76}}) == 1);
   // 4 |0.2 - 0.75| of five views
-  CHECK_THAT(svg, Contains("5 views judged, expected calibration error 0.440"));
-  CHECK(count_of("<text", svg) == count_of("</text>", svg));
+  for (const char* word : {"4", "1", "5 views judged, expected calibration error 0.440"})
+    CHECK(std::count(drawn["texts"].begin(), drawn["texts"].end(), word) >= 1);
 }
 
 TEST_CASE("A plot of nothing says so and has no points") {
   const std::string svg = reliability_svg({});
-  CHECK_THAT(svg, Contains("no view was judged"));
-  CHECK(count_of("<circle", svg) == 0);
+  CHECK_THAT(svg, Catch::Contains("No view was judged"));
+  CHECK(drawn_svg(svg)["circles"].empty());
 }
 
 }  // namespace aspect

@@ -13,6 +13,7 @@
 #include "tools/aspectc/project/prepared_object.h"
 #include "tools/aspectc/project/scene_settings.h"
 #include "tools/command_line/command_line.h"
+#include "tools/doctor/finding_picture.h"
 #include "tools/doctor/merged_colours.h"
 #include "tools/doctor/report.h"
 
@@ -28,20 +29,26 @@ fit (unless a project gives the distance) and moves colours that touch and canno
 by the least that does; open edges stay. OUT.b holds all of that; OUT.ply, of meshes alone, keeps
 the file's coordinates. A project's colours, camera and light are written into OUT.b.
 
+Findings of one kind are one line with their count and the worst of them; --all prints each. They
+are numbered, and --picture shows where they are: the object from the few views that show them best,
+with the same numbers. What lies behind surfaces is dotted.
+
 --merge-colours judges the mesh as it would be compiled with that option, and writes a picture of it
-from three sides: as it is on the left, in its N colours on the right.
+from three sides: as it is on the left, in its N colours on the right. --picture then names it.
 
 Keys of --json:
-  objects   object, surfaces, errors, warnings, notes, and findings: group (topology, placement,
-            colours, visibility), code, severity (error, warning, note), message, cure, count,
-            where (at most ten: triangles of a mesh as read or, of topology in a Bob scene and of
-            all other groups, surfaces, from 1), can_fix
-  pictures  files written; only with --merge-colours
+  objects   object, surfaces, errors, warnings, notes, and findings: number (of its kind, as in text
+            and picture), group (topology, placement, colours, visibility), code, severity (error,
+            warning, note), message, cure, count, where (at most ten: triangles of a mesh as read
+            or, of topology in a Bob scene and of all other groups, surfaces, from 1), can_fix,
+            examples (message, count, where) of what it sums up, if anything, the worst first
+  pictures  files written; only with --picture or --merge-colours
   fix       output, done (lines), colours (before, after, separation_before, separation_after; it
             separates above 1), left (OUT read again: as an object); only with --fix
 
 Examples:
   aspectc doctor part.obj
+  aspectc doctor part.obj --picture part.png
   aspectc doctor part.obj --fix part.b)";
 
 // Why the command makes no sense; empty: it does.
@@ -112,20 +119,37 @@ std::vector<GivenFlag> flags_of(const DoctorCommand& command) {
   return {{find_option("mesh", "merge_colours"), command.merge_colours}};
 }
 
+Result<Done> write_png(const std::string& file, const cv::Mat& picture) {
+  std::vector<std::uint8_t> png;
+  if (!cv::imencode(".png", picture, png))
+    return Error{file + ": the picture could not be encoded"};
+  return write_whole_file(file, png);
+}
+
+// The object with what is wrong marked on it.
+Result<DoctorReport::Shown> write_finding_picture(const DoctorCommand& command,
+                                                  const PreparedObject& object,
+                                                  const Diagnosis& diagnosis) {
+  const std::vector<FindingLine> lines = finding_lines(diagnosis, command.all);
+  const Result<FindingPicture> picture = finding_picture(object, diagnosis, lines);
+  if (!picture) return Error{picture.error()};
+  if (const auto done = write_png(command.picture, picture.value().picture); !done)
+    return Error{done.error()};
+  return DoctorReport::Shown{command.picture, "with the findings and their numbers"};
+}
+
 // The mesh as it is beside what becomes of it.
-Result<std::string> write_merging_picture(const DoctorCommand& command,
-                                          const PreparedObject& object) {
+Result<DoctorReport::Shown> write_merging_picture(const DoctorCommand& command,
+                                                  const PreparedObject& object) {
   CompileSettings unmerged = object.settings;
   unmerged.mesh.merge_colours.reset();
   const auto before = prepare_object({object.scene_file, object.scene.name, unmerged});
   if (!before) return Error{before.error()};
   const std::string file =
       command.picture.empty() ? object.scene.name + ".colours.png" : command.picture;
-  std::vector<std::uint8_t> png;
-  if (!cv::imencode(".png", merging_picture(before.value().scene, object.scene), png))
-    return Error{file + ": the picture could not be encoded"};
-  if (const Result<Done> done = write_whole_file(file, png); !done) return Error{done.error()};
-  return file;
+  if (const auto done = write_png(file, merging_picture(before.value().scene, object.scene)); !done)
+    return Error{done.error()};
+  return DoctorReport::Shown{file, "as it is on the left, in merged colours on the right"};
 }
 
 }  // namespace
@@ -138,14 +162,17 @@ CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command) {
       ->type_name("SCENE|FILE.toml");
   doctor->add_option("--fix", command.fix, "write the repaired model; .ply of a mesh only")
       ->type_name("FILE.b|FILE.ply");
-  auto* merge = doctor
-                    ->add_option("--merge-colours", command.merge_colours,
-                                 "merge the colours of a mesh into so many, 2 to 256, and show it")
-                    ->type_name("N")
-                    ->check(CLI::Range(2, 256).description(""));
-  doctor->add_option("--picture", command.picture, "where it is shown [NAME.colours.png]")
-      ->type_name("FILE.png")
-      ->needs(merge);
+  doctor
+      ->add_option("--merge-colours", command.merge_colours,
+                   "merge the colours of a mesh into so many, 2 to 256, and show it in "
+                   "NAME.colours.png")
+      ->type_name("N")
+      ->check(CLI::Range(2, 256).description(""));
+  doctor
+      ->add_option("--picture", command.picture,
+                   "show what is wrong, marked on the object, or what merging does")
+      ->type_name("FILE.png");
+  doctor->add_flag("--all", command.all, "a line for each finding and each example");
   doctor->add_flag("--json", command.json, "everything, as one JSON object");
   doctor->footer(kKeys);
   return doctor;
@@ -157,6 +184,8 @@ int run_doctor(const DoctorCommand& command) {
   const auto& prepared = std::get<std::vector<PreparedObject>>(outcome);
   if (const std::string fault = fault_of(command, prepared); !fault.empty())
     return refuse_usage(fault);
+  if (!command.picture.empty())
+    if (const auto done = check_writable(command.picture); !done) return fail(done.error());
   DoctorReport report{command.file, {}, {}, {}};
   for (const PreparedObject& object : prepared) {
     for (const std::string& warning : object.scene.warnings) print_warning("aspectc", warning);
@@ -164,18 +193,21 @@ int run_doctor(const DoctorCommand& command) {
     if (!diagnosis) return fail(diagnosis.error());
     report.objects.push_back(std::move(diagnosis).value());
   }
-  if (command.merge_colours > 0)
-    for (const PreparedObject& object : prepared) {
-      Result<std::string> picture = write_merging_picture(command, object);
-      if (!picture) return fail(picture.error());
-      report.pictures.push_back(std::move(picture).value());
-    }
+  for (std::size_t k = 0; k < prepared.size(); ++k) {
+    if (command.merge_colours == 0 && command.picture.empty()) break;
+    Result<DoctorReport::Shown> picture =
+        command.merge_colours > 0 ? write_merging_picture(command, prepared[k])
+                                  : write_finding_picture(command, prepared[k], report.objects[k]);
+    if (!picture) return fail(picture.error());
+    report.pictures.push_back(std::move(picture).value());
+  }
   if (!command.fix.empty()) {
     Result<FixReport> fixed = fix(prepared.front(), command);
     if (!fixed) return fail(fixed.error());
     report.fix = std::move(fixed).value();
   }
-  fmt::print("{}", command.json ? report_json(report) : report_text(report, shows_colours(stdout)));
+  fmt::print("{}", command.json ? report_json(report)
+                                : report_text(report, shows_colours(stdout), command.all));
   return report.is_healthy() ? 0 : 1;
 }
 

@@ -12,7 +12,7 @@ namespace aspect {
 struct DoctorCommand {
   std::string file, fix, picture;
   int merge_colours = 0;  // 0: as the project has it
-  bool json = false;
+  bool json = false, all = false;
 };
 
 CLI::App* add_doctor_command(CLI::App& app, DoctorCommand& command);

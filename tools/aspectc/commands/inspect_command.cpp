@@ -16,6 +16,7 @@
 #include "tools/aspectc/commands/inspect_store.h"
 #include "tools/aspectc/commands/whole_file.h"
 #include "tools/draw/frame_canvas.h"
+#include "tools/draw/index_sheet.h"
 
 namespace aspect {
 namespace {
@@ -179,6 +180,25 @@ int write_golden_frame(const InspectCommand& command) {
   return done ? 0 : fail(done.error());
 }
 
+int write_sheet(const InspectCommand& command) {
+  if (is_store(command.index))
+    return fail(command.index + ": is a store; --sheet draws class indexes (.aspect)");
+  const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
+  if (!indexes) return fail(indexes.error());
+  const IndexSheet sheet = index_sheet(indexes.value());
+  std::vector<std::uint8_t> png;
+  if (!cv::imencode(".png", sheet.picture, png))
+    return fail(command.sheet + ": the picture could not be encoded");
+  if (const Result<Done> done = write_whole_file(command.sheet, png); !done)
+    return fail(done.error());
+  if (sheet.shown == sheet.classes)
+    fmt::print("{}: {} class{}\n", command.sheet, sheet.classes, sheet.classes == 1 ? "" : "es");
+  else
+    fmt::print("{}: {} of {} classes, the largest; --json tells of all\n", command.sheet,
+               sheet.shown, sheet.classes);
+  return 0;
+}
+
 }  // namespace
 
 CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
@@ -190,12 +210,21 @@ CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command) {
                     "everything, as one JSON object; of several indexes a list of them");
   inspect->add_option("--golden", command.golden, "write the golden frame to this picture")
       ->type_name("FILE.png");
-  inspect->footer("Examples:\n  aspectc inspect part.aspect\n  aspectc inspect part.store --json");
+  inspect
+      ->add_option("--sheet", command.sheet,
+                   "write a picture with a tile for each class, the largest first, 400 at most")
+      ->type_name("FILE.png");
+  inspect->footer(
+      "Examples:\n  aspectc inspect part.aspect\n  aspectc inspect part.aspect --sheet part.png\n"
+      "  aspectc inspect part.store --json");
   return inspect;
 }
 
 int run_inspect(const InspectCommand& command) {
-  if (!command.golden.empty()) return write_golden_frame(command);
+  if (!command.golden.empty())
+    if (const int exit_code = write_golden_frame(command); exit_code != 0) return exit_code;
+  if (!command.sheet.empty()) return write_sheet(command);
+  if (!command.golden.empty()) return 0;
   if (is_store(command.index)) return run_inspect_store(command.index, command.json);
   const Result<std::vector<ClassIndex>> indexes = load_index_file(command.index);
   if (!indexes) return fail(indexes.error());

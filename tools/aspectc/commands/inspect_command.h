@@ -13,6 +13,7 @@ struct InspectCommand {
   std::string index;
   bool json = false;
   std::string golden;  // picture to write the golden frame to
+  std::string sheet;   // picture to write a tile of every class to
 };
 
 CLI::App* add_inspect_command(CLI::App& app, InspectCommand& command);

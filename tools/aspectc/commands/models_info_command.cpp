@@ -8,8 +8,8 @@
 
 namespace aspect {
 CLI::App* add_models_info_command(CLI::App& app, ModelsInfoCommand& command) {
-  CLI::App* info = app.add_subcommand(
-      "models-info", "Write sizes and symmetries as BOP's models_info.json.");
+  CLI::App* info =
+      app.add_subcommand("models-info", "Write sizes and symmetries as BOP's models_info.json.");
   info->add_option("index", command.indexes, "class indexes (.aspect); ids count from 1")
       ->required()
       ->type_name("FILE.aspect");
