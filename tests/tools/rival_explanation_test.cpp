@@ -15,22 +15,21 @@ const std::vector<ClassIndex>& indexes() {
   return both;
 }
 
-RivalExplainer explainer(const char* expected) {
-  return {indexes(), {}, find_expected(expected, indexes()).value()};
+ExpectedHypothesis expected(const char* name) {
+  return find_expected(name, indexes()).value();
 }
 
 TEST_CASE("The right object was chosen, and another one explains the picture less") {
-  RivalExplainer right = explainer("cube"), wrong = explainer("l_shape");
+  RivalExplainer explainer(indexes(), {});
   ModelCamera camera("cube");
   std::mt19937 random(5);
   int laid_over = 0;
   for (int view = 0; view < 12; ++view) {
     const OwnedFrame frame = camera.view(random_direction(random));
-    for (RivalExplainer* rival : {&right, &wrong}) {
-      rival->make_room(frame.width_px, frame.height_px);
-      rival->look(frame.frame());
-    }
-    const RivalExplanation cube = right.explain(0), other = wrong.explain(0);
+    explainer.make_room(frame.width_px, frame.height_px);
+    explainer.look(frame.frame());
+    const RivalExplanation cube = explainer.explain(0, expected("cube")),
+                           other = explainer.explain(0, expected("l_shape"));
     CHECK(cube.chosen);
     CHECK(cube.rank == 1);
     REQUIRE(cube.agreement);

@@ -85,11 +85,9 @@ Result<ExpectedHypothesis> find_expected(std::string_view name,
 }
 
 RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
-                               const RecogniserParameters& parameters,
-                               const ExpectedHypothesis& expected)
+                               const RecogniserParameters& parameters)
     : indexes_(indexes),
       parameters_(keeping_all(parameters)),
-      expected_(expected),
       recogniser_(indexes, parameters_) {
   memory_.plan([&](Arena& arena) {
     matcher_.prepare(arena, indexes_);
@@ -97,12 +95,17 @@ RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
   });
 }
 
-RivalExplanation RivalExplainer::explain(std::size_t object) {
+void RivalExplainer::look(const Frame& frame) {
+  recognition_ = recogniser_.recognise(frame);
+  matched_object_.reset();
+}
+
+RivalExplanation RivalExplainer::explain(std::size_t object, const ExpectedHypothesis& expected) {
   RivalExplanation rival;
   const auto list = recognition_.objects[object].hypotheses;
-  count_matches(object, rival);
+  count_matches(object, expected, rival);
   const auto own =
-      std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected_.is(h); });
+      std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected.is(h); });
   if (own == list.end()) {
     rival.on_shortlist = rival.matched > 0 && rival.matched >= rival.needed;
     rival.reason =
@@ -126,7 +129,9 @@ RivalExplanation RivalExplainer::explain(std::size_t object) {
   return rival;
 }
 
-void RivalExplainer::count_matches(std::size_t object, RivalExplanation& rival) {
+void RivalExplainer::match_all(std::size_t object) {
+  if (matched_object_ == object) return;
+  matched_object_ = object;
   const Blob& blob = recognition_.graph.blobs[recognition_.objects[object].blob];
   std::vector<ContourFeature> features;
   for (const Contour& contour :
@@ -134,18 +139,29 @@ void RivalExplainer::count_matches(std::size_t object, RivalExplanation& rival) 
                                            static_cast<std::size_t>(blob.contour_count)))
     if (contour.external && features.size() < kMaxSide)
       features.push_back(feature_of(contour, blob));
-  int most = 0;
+  matched_.resize(indexes_.size());
   for (std::size_t i = 0; i < indexes_.size(); ++i) {
+    matched_[i].clear();
     matcher_.set_contours(indexes_[i], features);
-    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
-      const int matched = matcher_.match(indexes_[i], c, parameters_.matching).assignment.matched;
+    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c)
+      matched_[i].push_back(
+          matcher_.match(indexes_[i], c, parameters_.matching).assignment.matched);
+  }
+}
+
+void RivalExplainer::count_matches(std::size_t object, const ExpectedHypothesis& expected,
+                                   RivalExplanation& rival) {
+  match_all(object);
+  int most = 0;
+  for (std::size_t i = 0; i < matched_.size(); ++i)
+    for (std::size_t c = 0; c < matched_[i].size(); ++c) {
+      const int matched = matched_[i][c];
       most = std::max(most, matched);
       Hypothesis hypothesis;
       hypothesis.index = static_cast<std::uint16_t>(i);
       hypothesis.class_id = static_cast<std::uint16_t>(c);
-      if (expected_.is(hypothesis)) rival.matched = std::max(rival.matched, matched);
+      if (expected.is(hypothesis)) rival.matched = std::max(rival.matched, matched);
     }
-  }
   rival.needed = std::max(1, most - parameters_.shortlist_slack);
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/base/planned_memory.h"
 #include "runtime/base/result.h"
@@ -45,27 +46,36 @@ struct RivalExplanation {
 class RivalExplainer {
  public:
   // `indexes` must outlive it.
-  RivalExplainer(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
-                 const ExpectedHypothesis& expected);
+  RivalExplainer(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters);
 
   // After make_room, and once for a frame; then explain() for each of its objects.
   void make_room(int width_px, int height_px) { recogniser_.make_room(width_px, height_px); }
-  void look(const Frame& frame) { recognition_ = recogniser_.recognise(frame); }
-  RivalExplanation explain(std::size_t object);
+  void look(const Frame& frame);
+  // Whether this look has seen the object that another one has seen there: within a time limit no
+  // two looks need be alike.
+  bool has_seen(std::size_t object, const Box& box) const {
+    return object < recognition_.objects.size() && recognition_.objects[object].box == box;
+  }
+  // Lives until the next look.
+  RivalExplanation explain(std::size_t object, const ExpectedHypothesis& expected);
 
  private:
-  void count_matches(std::size_t object, RivalExplanation& explanation);
+  void count_matches(std::size_t object, const ExpectedHypothesis& expected,
+                     RivalExplanation& explanation);
+  void match_all(std::size_t object);
   const VerifiedPose* pose_of(const Hypothesis& hypothesis, std::size_t object);
 
   std::span<const ClassIndex> indexes_;
   RecogniserParameters parameters_;
-  ExpectedHypothesis expected_;
   SizedRecogniser recogniser_;
   Recognition recognition_;
   PlannedMemory memory_;
   ClassMatcher matcher_;
   PoseFinder finder_;
   VerifiedPose found_;
+  // Contours that each class of each index matches of that object, as far as it was asked for.
+  std::optional<std::size_t> matched_object_;
+  std::vector<std::vector<int>> matched_;
 };
 
 }  // namespace aspect
