@@ -29,8 +29,8 @@ std::vector<std::string> FrameExplainer::explain(const Frame& frame, const Recog
     const SeenObject& object = recognition.objects[k];
     SeenExplanation best;
     if (!object.hypotheses.empty())
-      best = explain_seen(object.hypotheses.front(), object.hypotheses.front().pose, object.blob,
-                          seen);
+      best = explain_seen(object.hypotheses.front(), object.hypotheses.front().pose,
+                          place_of(object, recognition.graph), seen);
     ExplainedRivals rivals;
     const bool seen_again = rivals_ && rivals_->has_seen(k, object.box);
     if (expected_ && seen_again) rivals.expected = rivals_->explain(k, *expected_);

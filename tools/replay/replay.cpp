@@ -19,6 +19,7 @@
 #include "tools/replay/frame_explainer.h"
 #include "tools/replay/line_output.h"
 #include "tools/replay/pace.h"
+#include "tools/replay/replay_page.h"
 #include "tools/replay/stage_pictures.h"
 
 namespace aspect {
@@ -28,17 +29,20 @@ namespace {
 // taken for what is used of it only.
 constexpr std::size_t kLineBytes = 8U << 20U;
 
-// One frame after the other. False: the output has gone, there is no point in going on.
+// One frame after the other. False: where all of it should go has gone, there is no point in going
+// on.
 class FrameLoop {
  public:
   FrameLoop(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
-            const StagePictures& pictures, Console& console, FrameExplainer* explainer)
+            const StagePictures& pictures, Console& console, FrameExplainer* explainer,
+            std::unique_ptr<ReplayPage> page)
       : indexes_(indexes),
         recogniser_(indexes, parameters),
         pictures_(pictures),
         console_(console),
         line_(std::make_unique_for_overwrite<char[]>(kLineBytes)),
-        explainer_(explainer) {}
+        explainer_(explainer),
+        page_(std::move(page)) {}
 
   bool process(const CapturedFrame& frame) {
     try {
@@ -46,18 +50,35 @@ class FrameLoop {
       const Recognition recognition = recogniser_.recognise(frame.view(), steps_to(frame));
       if (explainer_ != nullptr)
         explanations_ = explainer_->explain(frame.view(), recognition, recogniser_);
-      if (!write(frame, recognition)) return false;
+      if (writes_) writes_ = write(frame, recognition);
+      if (!writes_ && !page_) return false;
       if (auto error = pictures_.write(frame, recognition, recogniser_.regions(), indexes_,
                                        recogniser_.cameras()))
         console_.fail(error->message);
+      if (page_) check_page(page_->add(frame, recognition, recogniser_));
     } catch (const std::bad_alloc&) {
-      console_.fail(fmt::format("{}: {} x {} px need more memory than there is; scale it down",
-                                frame.name, frame.width_px, frame.height_px));
+      fail(frame, fmt::format("{}: {} x {} px need more memory than there is; scale it down",
+                              frame.name, frame.width_px, frame.height_px));
     }
-    return true;
+    return writes_ || page_;
+  }
+
+  void fail(const CapturedFrame& frame, const std::string& error) {
+    console_.fail(error);
+    if (page_) check_page(page_->add_failed(frame, error));
+  }
+
+  void finish() {
+    if (page_) check_page(page_->finish());
   }
 
  private:
+  void check_page(const std::optional<Error>& error) {
+    if (!error) return;
+    console_.fail(error->message);
+    page_.reset();
+  }
+
   // Frames that could not be read count.
   int steps_to(const CapturedFrame& frame) {
     const std::uint64_t last = std::exchange(last_sequence_, frame.sequence);
@@ -84,6 +105,8 @@ class FrameLoop {
   FrameExplainer* explainer_;  // null: nobody asked
   std::vector<std::string> explanations_;
   std::uint64_t last_sequence_ = 0;
+  bool writes_ = true;                // false: the output has gone
+  std::unique_ptr<ReplayPage> page_;  // null: nobody asked, or it has failed
 };
 
 // False: the output has gone.
@@ -94,7 +117,7 @@ bool process_all(RecordedFrames& frames, Pace& pace, FrameLoop& loop, Console& c
     if (status == FrameStatus::end) return true;
     console.progress(frame.sequence + 1, frames.count(), frame.name);
     if (status == FrameStatus::failed) {
-      console.fail(frame.error);
+      loop.fail(frame, frame.error);
       continue;
     }
     pace.wait();
@@ -160,9 +183,13 @@ int replay(const ReplayOptions& options) {
   }
 
   RecordedFrames frames(options.frames, parameters.vision.sensor);
-  FrameLoop loop(indexes, parameters, pictures.value(), console, explainer ? &*explainer : nullptr);
+  auto page = create_replay_page(options, indexes, parameters);
+  if (!page) return console.fail(page.error()), kFailed;
+  FrameLoop loop(indexes, parameters, pictures.value(), console, explainer ? &*explainer : nullptr,
+                 std::move(page).value());
   Pace pace(options.pace_fps);
   const bool finished = process_all(frames, pace, loop, console);
+  loop.finish();
   if (const std::string report = pace.report(); finished && !report.empty()) console.tell(report);
   return console.failures() == 0 ? 0 : kFailed;
 }

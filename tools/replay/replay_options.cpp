@@ -48,12 +48,20 @@ the frame, name: in the class, surfaces: primitives of the scene from 1, colour:
 green and blue}], missing: what the model shows in that pose and the picture does not [{name,
 surfaces, colour, area_px, covered: share of it that has its colour}], contradicts: what shows
 another colour than the model [{contour, colour, drawn, left out where the model shows nothing,
-area_px}]}. Without a pose missing and contradicts are contours without a match. With NAME there is
+which speaks against those only that stand alone, area_px}]}. Without a pose missing and contradicts are contours without a match. With NAME there is
 also expected, why that one was not chosen: {reason, chosen, on_shortlist, matched: contours at
 most, needed: for the shortlist; and where it is on it, of its best hypothesis, object, class, rank
 from 1, score, agreement: share of the picture explained where it was tried or is now, contours,
 missing, contradicts}. Frames are looked at twice then. A word after --explain that is a file or
 folder is a frame; --explain=NAME is always a name.
+
+--html writes one file that any browser shows without a network, while the lines go to standard
+output as ever: every frame with what was found drawn over it, to be filtered by object, verdict and
+error, sorted and searched; behind each its regions as segmented, the first ten classes as the
+index's model shows them, what matched which surface, what is missing, what contradicts, and why
+none of the other loaded objects was chosen (not with --track). Frames that cannot be read are in it
+as such. Frames are looked at twice then. The page is there when all frames are done; it takes 10 to
+40 KB a frame. With --truth it has the errors that aspect-score would tell.
 
 Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
 failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
@@ -64,6 +72,7 @@ Examples:
   aspect-replay --index cube.aspect --self-test
   aspect-replay --index cube.aspect --index truck.aspect --explain truck frame.png
   aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
+  aspect-replay --index cube.aspect --html page/ --truth truth.csv frames/ > seen.jsonl
 )";
 
 // --explain without a name, for CLI11: see with_names_attached.
@@ -94,7 +103,7 @@ std::vector<std::string> with_names_attached(int argc, const char* const* argv) 
 // What CLI11 makes of the command line; an absent option is an empty or zero value here.
 struct RawOptions {
   ReplayOptions options;
-  std::string configuration, overlay, dump;
+  std::string configuration, overlay, dump, page, truth, symmetries;
   std::vector<std::string> indexes, frames;
 };
 
@@ -189,6 +198,18 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
          "write a picture a stage: NNNNNN_1_input.png, _2_regions (one colour each, black: none), "
          "_3_overlay, _4_numbers (of the contours)")
       ->type_name("FOLDER");
+  CLI::Option* page = app.add_option("--html", raw.page,
+                                     "write a page of all frames, FOLDER/index.html: pictures with "
+                                     "what was seen, filters, and for each frame why")
+                          ->type_name("FOLDER");
+  CLI::Option* truth =
+      app.add_option("--truth", raw.truth, "with --html: what is right, as aspect-score takes it")
+          ->needs(page)
+          ->type_name("FILE.csv");
+  app.add_option("--symmetries", raw.symmetries,
+                 "with --truth: rotations that leave objects as they are")
+      ->needs(truth)
+      ->type_name("FILE");
   app.add_option_function<std::string>(
          "--explain", [&raw](const std::string& name) { raw.options.explain = name; },
          "tell why each object is taken for what it is, and why not for NAME: an object, a class's "
@@ -214,6 +235,9 @@ ReplayOptions finished(RawOptions raw) {
   if (!raw.configuration.empty()) options.configuration = raw.configuration;
   if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
   if (!raw.dump.empty()) options.dump_folder = raw.dump;
+  if (!raw.page.empty()) options.page_folder = raw.page;
+  if (!raw.truth.empty()) options.truth = raw.truth;
+  if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
   return options;
 }
 

@@ -86,9 +86,7 @@ Result<ExpectedHypothesis> find_expected(std::string_view name,
 
 RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
                                const RecogniserParameters& parameters)
-    : indexes_(indexes),
-      parameters_(keeping_all(parameters)),
-      recogniser_(indexes, parameters_) {
+    : indexes_(indexes), parameters_(keeping_all(parameters)), recogniser_(indexes, parameters_) {
   memory_.plan([&](Arena& arena) {
     matcher_.prepare(arena, indexes_);
     finder_.prepare(arena, indexes_);
@@ -103,14 +101,20 @@ void RivalExplainer::look(const Frame& frame) {
 RivalExplanation RivalExplainer::explain(std::size_t object, const ExpectedHypothesis& expected) {
   RivalExplanation rival;
   const auto list = recognition_.objects[object].hypotheses;
-  count_matches(object, expected, rival);
+  const bool is_part = place_of(recognition_.objects[object], recognition_.graph).part.has_value();
+  if (!is_part) count_matches(object, expected, rival);
   const auto own =
       std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected.is(h); });
+  if (own == list.end() && is_part) {
+    rival.reason = "models were laid over this part of the picture, and no pose of it fits better";
+    return rival;
+  }
   if (own == list.end()) {
     rival.on_shortlist = rival.matched > 0 && rival.matched >= rival.needed;
     rival.reason =
         rival.on_shortlist
-            ? fmt::format("it is on the shortlist, but {} fit better", list.size())
+            ? fmt::format("it is on the shortlist, but {} better",
+                          list.size() == 1 ? "one fits" : fmt::format("{} fit", list.size()))
             : fmt::format("not on the shortlist: of {} contours it matches {}, {} were needed",
                           recognition_.objects[object].regions, rival.matched, rival.needed);
     return rival;
@@ -122,7 +126,7 @@ RivalExplanation RivalExplainer::explain(std::size_t object, const ExpectedHypot
   rival.hypothesis = *own;
   const VerifiedPose* pose = pose_of(*own, object);
   if (pose != nullptr) rival.agreement = pose->agreement.all_but_rims;
-  rival.seen = explain_seen(*own, pose, recognition_.objects[object].blob,
+  rival.seen = explain_seen(*own, pose, place_of(recognition_.objects[object], recognition_.graph),
                             {recognition_.graph, &recogniser_.regions(), &recogniser_.colours(),
                              indexes_, recogniser_.cameras()});
   rival.reason = reason_for(rival, list.front(), judgement, indexes_);

@@ -33,7 +33,7 @@ struct RivalExplanation {
   bool chosen = false, on_shortlist = false;
   std::string reason;  // for a person
   // What the frame's contours allow: of the expected, at most, and of those on the shortlist, at
-  // least.
+  // least. Both 0 of an object that is a part of its blob: for these there is no shortlist.
   int matched = 0, needed = 0;
   // These on the shortlist only, of the best one that was expected.
   std::optional<Hypothesis> hypothesis;
