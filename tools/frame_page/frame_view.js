@@ -179,7 +179,7 @@ function guessCard(hypothesis, k, rivals) {
   const card = viewCard("guess", hypothesis.object, hypothesis,
     element("b", "", `${k + 1}. ${hypothesis.object}`),
     element("span", "", `class ${hypothesis.class}`), element("span", "", `score ${score}`),
-    element("span", "", `${hypothesis.matched} of ${hypothesis.matched + hypothesis.unmatched} matched`));
+    element("span", "", `${hypothesis.matched}/${hypothesis.matched + hypothesis.unmatched} contours`));
   if (rivals.includes(k)) card.append(element("span", "fair", "explains it as well"));
   card.title = "seen from " + hypothesis.view.map(part => part.toFixed(2)).join(" ") +
     (hypothesis.pose ? ", posed" : ", no pose tried");
