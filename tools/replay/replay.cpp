@@ -35,14 +35,17 @@ class FrameLoop {
  public:
   FrameLoop(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
             const StagePictures& pictures, Console& console, FrameExplainer* explainer,
-            std::unique_ptr<ReplayPage> page)
+            std::optional<BopRows> bop, std::unique_ptr<ReplayPage> page)
       : indexes_(indexes),
         recogniser_(indexes, parameters),
         pictures_(pictures),
         console_(console),
         line_(std::make_unique_for_overwrite<char[]>(kLineBytes)),
         explainer_(explainer),
-        page_(std::move(page)) {}
+        bop_(std::move(bop)),
+        page_(std::move(page)) {
+    if (bop_) writes_ = put(BopRows::head());
+  }
 
   bool process(const CapturedFrame& frame) {
     try {
@@ -88,10 +91,19 @@ class FrameLoop {
   }
 
   bool write(const CapturedFrame& frame, const Recognition& recognition) {
+    if (bop_) {
+      const Result<std::string> rows = bop_->rows(frame.name, recognition);
+      if (!rows) return console_.fail(rows.error()), true;
+      return put(rows.value());
+    }
     const FrameLabel label = {frame.name, frame.sequence, frame.width_px, frame.height_px};
     const std::size_t length = write_recognition_json(label, recognition, indexes_,
                                                       {line_.get(), kLineBytes}, explanations_);
-    const OutputStatus status = write_line({line_.get(), length});
+    return put({line_.get(), length});
+  }
+
+  bool put(std::string_view text) {
+    const OutputStatus status = write_line(text);
     if (status == OutputStatus::failed)
       console_.fail(fmt::format("standard output: {}; stopped", std::strerror(errno)));
     return status == OutputStatus::written;
@@ -106,6 +118,7 @@ class FrameLoop {
   std::vector<std::string> explanations_;
   std::uint64_t last_sequence_ = 0;
   bool writes_ = true;                // false: the output has gone
+  std::optional<BopRows> bop_;        // nothing: lines
   std::unique_ptr<ReplayPage> page_;  // null: nobody asked, or it has failed
 };
 
@@ -183,9 +196,15 @@ int replay(const ReplayOptions& options) {
   }
 
   RecordedFrames frames(options.frames, parameters.vision.sensor);
+  if (options.bop && options.bop->objects.size() != indexes.size())
+    return console.fail(fmt::format("--bop: {} ids for {} loaded objects; give one for each, in the "
+                                    "order of the indexes, with commas between",
+                                    options.bop->objects.size(), indexes.size())),
+           kFailed;
   auto page = create_replay_page(options, indexes, parameters);
   if (!page) return console.fail(page.error()), kFailed;
   FrameLoop loop(indexes, parameters, pictures.value(), console, explainer ? &*explainer : nullptr,
+                 options.bop ? std::optional<BopRows>(*options.bop) : std::nullopt,
                  std::move(page).value());
   Pace pace(options.pace_fps);
   const bool finished = process_all(frames, pace, loop, console);

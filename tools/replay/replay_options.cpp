@@ -55,6 +55,12 @@ from 1, score, agreement: share of the picture explained where it was tried or i
 missing, contradicts}. Frames are looked at twice then. A word after --explain that is a file or
 folder is a frame; --explain=NAME is always a name.
 
+--bop writes the rows of the BOP benchmark's results (scene_id,im_id,obj_id,score,R,t,time, a line of
+these names first) to standard output in place of lines: one for each object that is a match or
+ambiguous, with its probability for a score; --min-confidence 0 gives all. im_id is the number that a
+picture's name ends with, or a frame's of a video; a frame that has none fails. Lengths are those of
+the scene, for BOP's own models millimetres.
+
 --html writes one file that any browser shows without a network, while the lines go to standard
 output as ever: every frame with what was found drawn over it, to be filtered by object, verdict and
 error, sorted and searched; behind each its regions as segmented, the first ten classes as the
@@ -72,6 +78,7 @@ Examples:
   aspect-replay --index cube.aspect --self-test
   aspect-replay --index cube.aspect --index truck.aspect --explain truck frame.png
   aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
+  aspect-replay --index duck.aspect --config camera.toml --bop 2 9 test/000002/rgb > duck.csv
   aspect-replay --index cube.aspect --html page/ --truth truth.csv frames/ > seen.jsonl
 )";
 
@@ -104,7 +111,8 @@ std::vector<std::string> with_names_attached(int argc, const char* const* argv) 
 struct RawOptions {
   ReplayOptions options;
   std::string configuration, overlay, dump, page, truth, symmetries;
-  std::vector<std::string> indexes, frames;
+  std::vector<std::string> indexes, frames, bop;
+  double bop_unit_mm = 1;
 };
 
 template <typename Value>
@@ -148,6 +156,10 @@ void add_inputs(CLI::App& app, RawOptions& raw) {
       ->excludes(frames);
   app.final_callback([&raw] {
     if (raw.frames.empty() && !raw.options.self_test) throw CLI::RequiredError("frames");
+    if (!raw.bop.empty() && raw.bop[0].find(',') != std::string::npos)
+      throw CLI::ValidationError("--bop", raw.bop[0] + " is more than one scene");
+    if (!raw.bop.empty() && raw.options.explain)
+      throw CLI::ValidationError("--bop", "has no room for what --explain says");
   });
 }
 
@@ -228,6 +240,42 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
       ->type_name("FPS");
 }
 
+std::vector<std::uint32_t> whole_numbers(const std::string& text) {
+  std::vector<std::uint32_t> numbers;
+  const char *at = text.data(), *end = at + text.size();
+  for (;; ++at) {
+    std::uint32_t number = 0;
+    const auto parsed = std::from_chars(at, end, number);
+    if (parsed.ec != std::errc()) return {};
+    numbers.push_back(number);
+    at = parsed.ptr;
+    if (at == end) return numbers;
+    if (*at != ',') return {};
+  }
+}
+
+void add_bop(CLI::App& app, RawOptions& raw) {
+  CLI::Option* bop =
+      app.add_option("--bop", raw.bop,
+                     "write poses as the BOP benchmark's CSV instead of lines; OBJ_ID of the "
+                     "object, or with commas of each that is loaded")
+          ->type_name("SCENE_ID OBJ_ID")
+          ->expected(2)
+          ->allow_extra_args(false)
+          ->check([](const std::string& text) {
+            return whole_numbers(text).empty() ? text + " is no number that BOP has for an id" : "";
+          });
+  app.add_option("--bop-unit-mm", raw.bop_unit_mm,
+                 "with --bop: millimetres in a unit of the scenes, 1000 for metres [1]")
+      ->needs(bop)
+      ->check([](const std::string& text) { return fault_of_number(text, "a length", 1e-6, 1e6); })
+      ->type_name("MM");
+}
+
+BopIds bop_ids(const RawOptions& raw) {
+  return {whole_numbers(raw.bop[0]).front(), whole_numbers(raw.bop[1]), raw.bop_unit_mm};
+}
+
 ReplayOptions finished(RawOptions raw) {
   ReplayOptions options = std::move(raw.options);
   options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
@@ -238,6 +286,7 @@ ReplayOptions finished(RawOptions raw) {
   if (!raw.page.empty()) options.page_folder = raw.page;
   if (!raw.truth.empty()) options.truth = raw.truth;
   if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
+  if (!raw.bop.empty()) options.bop = bop_ids(raw);
   return options;
 }
 
@@ -251,6 +300,7 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_inputs(app, raw);
   add_recognition(app, raw);
   add_outputs(app, raw);
+  add_bop(app, raw);
   const std::vector<std::string> words = with_names_attached(argc, argv);
   std::vector<const char*> word_starts;
   word_starts.reserve(words.size());

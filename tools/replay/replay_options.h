@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/service/configuration.h"
+#include "tools/replay/bop_rows.h"
 
 namespace aspect {
 
@@ -19,6 +20,7 @@ struct ReplayOptions {
   std::optional<std::filesystem::path> truth, symmetries;  // of the page
   std::optional<double> pace_fps;
   std::optional<std::string> explain;  // empty: only what was chosen
+  std::optional<BopIds> bop;           // rows in place of lines
   bool self_test = false;              // instead of frames
   RecognitionOverrides recognition;
 };

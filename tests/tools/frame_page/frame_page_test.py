@@ -1,4 +1,5 @@
-"""The page of aspect-replay --html in a real browser: frame_page_test.py ASPECTC ASPECT-REPLAY SCENES.
+"""The page of aspect-replay --html in a real browser: frame_page_test.py ASPECTC
+ASPECT-REPLAY INDEX-FOLDER SCENES.
 Frames are rendered from known directions, so that errors and drawn models have something to be held
 against."""
 import base64
@@ -13,7 +14,7 @@ from pathlib import Path
 
 from browser import Browser
 
-ASPECTC, REPLAY, SCENES = sys.argv[1:4]
+ASPECTC, REPLAY, INDEXES, SCENES = sys.argv[1:5]
 VIEWS = {"cube": (0.5, -0.6, 0.62), "l_shape": (0.45, 0.5, 0.74)}
 HOSTILE = "5<!--<script>'\"&amp;.png"  # ends no element and begins none
 RIGHT, ESCAPE = "\ue014", "\ue00c"
@@ -86,11 +87,7 @@ class ThePage(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         folder = Path(cls.folder.name)
         frames = make_frames(folder)
-        indexes = []
-        for name in VIEWS:
-            run(ASPECTC, f"{SCENES}/{name}.b", "--level", 1, "--no-store", "-o",
-                folder / f"{name}.aspect")
-            indexes += ["--index", folder / f"{name}.aspect"]
+        indexes = [word for name in VIEWS for word in ("--index", f"{INDEXES}/{name}.aspect")]
         lines = run(REPLAY, *indexes, frames, exit_code=1).splitlines()
         cls.lines = {Path(line["frame"]).name: line for line in map(json.loads, lines)}
         cls.write_truth(folder / "truth.csv")
