@@ -48,12 +48,12 @@ the frame, name: in the class, surfaces: primitives of the scene from 1, colour:
 green and blue}], missing: what the model shows in that pose and the picture does not [{name,
 surfaces, colour, area_px, covered: share of it that has its colour}], contradicts: what shows
 another colour than the model [{contour, colour, drawn, left out where the model shows nothing,
-which speaks against those only that stand alone, area_px}]}. Without a pose missing and contradicts are contours without a match. With NAME there is
-also expected, why that one was not chosen: {reason, chosen, on_shortlist, matched: contours at
-most, needed: for the shortlist; and where it is on it, of its best hypothesis, object, class, rank
-from 1, score, agreement: share of the picture explained where it was tried or is now, contours,
-missing, contradicts}. Frames are looked at twice then. A word after --explain that is a file or
-folder is a frame; --explain=NAME is always a name.
+which speaks against those only that stand alone, area_px}]}. Without a pose missing and contradicts
+are contours without a match. With NAME there is also expected, why that one was not chosen:
+{reason, chosen, on_shortlist, matched: contours at most, needed: for the shortlist; and where it is
+on it, of its best hypothesis, object, class, rank from 1, score, agreement: share of the picture
+explained where it was tried or is now, contours, missing, contradicts}. Frames are looked at twice
+then. A word after --explain that is a file or folder is a frame; --explain=NAME is always a name.
 
 --bop writes the rows of the BOP benchmark's results (scene_id,im_id,obj_id,score,R,t,time, a line of
 these names first) to standard output in place of lines: one for each object that is a match or
