@@ -69,8 +69,13 @@ function contoursSection() {
     d: contour.path, fill: contour.colour, "fill-rule": "evenodd", stroke: "#fff",
     "stroke-width": 0.8, "data-contour": contour.n })));
   const isMatched = contour => letterOf(contour.n) !== undefined;
-  // Where there are many, names go to those that mean something.
-  const labelled = contours.shown.filter((contour, k) => k < 24 || isMatched(contour));
+  // Names go first to those that mean something, then to the largest, as long as there is room.
+  const labelled = [];
+  const isFree = contour => labelled.every(({ at: [x, y] }) =>
+    Math.abs(x - contour.at[0]) > 2.2 * size || Math.abs(y - contour.at[1]) > 1.1 * size);
+  for (const contour of contours.shown) if (isMatched(contour)) labelled.push(contour);
+  for (const contour of contours.shown.slice(0, 40))
+    if (!isMatched(contour) && isFree(contour)) labelled.push(contour);
   svg.append(...labelled.reverse().map(contour => labelShape(contour, size)));
   picture.append(svg);
   const left = contours.left_out ? `; ${contours.left_out} small ones left out` : "";
@@ -120,7 +125,7 @@ function objectsSection() {
     const button = element("button"), dot = element("i", "dot");
     dot.style.background = colourOfObject(object);
     const track = object.track === undefined ? "" : `#${object.track} `;
-    const like = !isNamed(object) && object.object !== undefined ? `, most like ${object.object}` : "";
+    const like = !isNamed(object) && object.object !== undefined ? `, like ${object.object}` : "";
     button.append(dot, element("span", "", track + nameOf(object) + like),
                   element("small", "", [isNamed(object) ? object.verdict : undefined, surely(object)]
                     .filter(Boolean).join(" · ")));
@@ -239,7 +244,7 @@ const matchedTable = (object, seen) => tableOf(["contour", "of the class", "surf
 
 const missingTable = (object, seen) => tableOf(["surface", "area", "covered"],
   seen.missing.map(entry => rowOf(undefined,
-    [swatch(entry.colour), [entry.name, surfacesOf(object, entry.surfaces)].filter(Boolean).join(" · ")],
+    [swatch(entry.colour), [entry.name, surfacesOf(object, entry.surfaces)].filter(Boolean).join(" · ") || "–"],
     entry.area_px === undefined ? "–" : Math.round(entry.area_px).toLocaleString("en") + " px",
     entry.covered === undefined ? "–" : percent(entry.covered))),
   "nothing is missing", seen.missing_more);

@@ -197,9 +197,10 @@ int replay(const ReplayOptions& options) {
 
   RecordedFrames frames(options.frames, parameters.vision.sensor);
   if (options.bop && options.bop->objects.size() != indexes.size())
-    return console.fail(fmt::format("--bop: {} ids for {} loaded objects; give one for each, in the "
-                                    "order of the indexes, with commas between",
-                                    options.bop->objects.size(), indexes.size())),
+    return console.fail(
+               fmt::format("--bop: {} ids for {} loaded objects; give one for each, in the "
+                           "order of the indexes, with commas between",
+                           options.bop->objects.size(), indexes.size())),
            kFailed;
   auto page = create_replay_page(options, indexes, parameters);
   if (!page) return console.fail(page.error()), kFailed;

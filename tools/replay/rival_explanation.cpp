@@ -102,7 +102,16 @@ RivalExplanation RivalExplainer::explain(std::size_t object, const ExpectedHypot
   RivalExplanation rival;
   const auto list = recognition_.objects[object].hypotheses;
   const bool is_part = place_of(recognition_.objects[object], recognition_.graph).part.has_value();
-  if (!is_part) count_matches(object, expected, rival);
+  const int most = is_part ? 0 : count_matches(object, expected, rival);
+  // Some class is always on the shortlist of what was compared.
+  if (list.empty() && most > 0) {
+    rival.reason = parameters_.time_limit.count() > 0
+                       ? "there was no time left to compare it"
+                       : "it fills the picture, which no object alone does: models were laid over "
+                         "it, and what fitted is listed for itself";
+    rival.matched = rival.needed = 0;
+    return rival;
+  }
   const auto own =
       std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected.is(h); });
   if (own == list.end() && is_part) {
@@ -153,8 +162,8 @@ void RivalExplainer::match_all(std::size_t object) {
   }
 }
 
-void RivalExplainer::count_matches(std::size_t object, const ExpectedHypothesis& expected,
-                                   RivalExplanation& rival) {
+int RivalExplainer::count_matches(std::size_t object, const ExpectedHypothesis& expected,
+                                  RivalExplanation& rival) {
   match_all(object);
   int most = 0;
   for (std::size_t i = 0; i < matched_.size(); ++i)
@@ -167,6 +176,7 @@ void RivalExplainer::count_matches(std::size_t object, const ExpectedHypothesis&
       if (expected.is(hypothesis)) rival.matched = std::max(rival.matched, matched);
     }
   rival.needed = std::max(1, most - parameters_.shortlist_slack);
+  return most;
 }
 
 // Its own or, where none was tried, the one that its key view leads to.

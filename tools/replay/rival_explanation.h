@@ -33,7 +33,8 @@ struct RivalExplanation {
   bool chosen = false, on_shortlist = false;
   std::string reason;  // for a person
   // What the frame's contours allow: of the expected, at most, and of those on the shortlist, at
-  // least. Both 0 of an object that is a part of its blob: for these there is no shortlist.
+  // least. Both 0 of an object that is a part of its blob, or fills the picture: for these there is
+  // no shortlist.
   int matched = 0, needed = 0;
   // These on the shortlist only, of the best one that was expected.
   std::optional<Hypothesis> hypothesis;
@@ -60,8 +61,9 @@ class RivalExplainer {
   RivalExplanation explain(std::size_t object, const ExpectedHypothesis& expected);
 
  private:
-  void count_matches(std::size_t object, const ExpectedHypothesis& expected,
-                     RivalExplanation& explanation);
+  // And gives what any class matches at most.
+  int count_matches(std::size_t object, const ExpectedHypothesis& expected,
+                    RivalExplanation& explanation);
   void match_all(std::size_t object);
   const VerifiedPose* pose_of(const Hypothesis& hypothesis, std::size_t object);
 
