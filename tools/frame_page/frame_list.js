@@ -202,6 +202,10 @@ function show() {
   if (unreadable) notes.push(`${unreadable} unreadable`);
   const gone = frames.filter(frame => frame.note !== undefined).length;
   if (gone) notes.push(`${gone} without their picture`);
+  // Frames without a line could not be read, or were left out.
+  const gaps = frames.reduce((sum, frame, k) =>
+    sum + (k && frame.n > frames[k - 1].n ? frame.n - frames[k - 1].n - 1 : 0), 0);
+  if (gaps) notes.push(`${gaps.toLocaleString("en")} between them without a line`);
   if (end.missing) notes.push(`${end.missing} of the truth table not among them`);
   place("count").textContent = notes.join(" · ");
 }
