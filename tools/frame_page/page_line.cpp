@@ -223,7 +223,7 @@ Result<PageLine> read_page_line(std::string_view line, const std::string& where)
     constexpr std::size_t kMostWords = 160;
     if (what.size() > kMostWords) what.resize(kMostWords);
     for (char& c : what)
-      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+      if (c < 0x20 || c > 0x7E) c = '?';  // half a character of UTF-8, too
     return Error{fmt::format("{}: not a line of aspect-replay ({}); give its output", where, what)};
   };
   if (line.size() > kMostLineBytes)

@@ -147,6 +147,8 @@ TEST_CASE("What aspect-replay cannot have written is refused") {
         std::string("{\"frame\":\"a\",\"width\":1e999}"), std::string(3, '\0'),
         std::string(kMostLineBytes + 1, ' ')})
     CHECK_THAT(error_of(line), StartsWith("seen.jsonl:7: "));
+  const std::string told = error_of("{\"frame\":\"\x1b[31m\xff\xfe\"");
+  CHECK(std::all_of(told.begin(), told.end(), [](char c) { return c >= 0x20 && c < 0x7F; }));
 }
 
 TEST_CASE("What a name holds cannot end the element that it is in") {
