@@ -29,11 +29,27 @@ Result<FramePage> FramePage::create(const std::filesystem::path& file, PageConte
   return page;
 }
 
+namespace {
+
+// How far a hypothesis without a pose is turned against its view, which lines do not tell.
+void add_rolls(const Recognition& recognition, nlohmann::json& objects) {
+  for (std::size_t k = 0; k < objects.size() && k < recognition.objects.size(); ++k) {
+    nlohmann::json& listed = objects[k]["hypotheses"];
+    const auto hypotheses = recognition.objects[k].hypotheses;
+    for (std::size_t i = 0; i < listed.size() && i < hypotheses.size(); ++i)
+      if (hypotheses[i].pose == nullptr)
+        listed[i]["roll"] = with_digits(static_cast<double>(hypotheses[i].roll_rad), 3);
+  }
+}
+
+}  // namespace
+
 std::optional<Error> FramePage::add(PageLine line, const PagePicture& picture) {
   if (const std::string edges = edges_of(line, picture.cameras); !edges.empty())
     line.summary["edges"] = edges;
   if (!picture.note.empty()) line.summary["note"] = picture.note;
   if (contents_.truth) line.summary["truth"] = contents_.truth->score(line.found);
+  if (picture.recognition != nullptr) add_rolls(*picture.recognition, line.details["objects"]);
   if (picture.recognition != nullptr && picture.regions != nullptr)
     line.details["contours"] = contours_json(picture.recognition->graph, *picture.regions);
   const std::string uri = picture.frame == nullptr ? "" : picture_uri(*picture.frame);

@@ -200,7 +200,7 @@ function shortlistSection() {
   list.append(askedCard(object), ...trueCards(object),
     ...details.hypotheses.map((hypothesis, k) => guessCard(hypothesis, k, details.rivals ?? [])));
   const note = !models.size ? "no index was given, so that no model can be drawn"
-    : "drawn as found where a pose was tried, upright otherwise";
+    : "drawn as found where a pose was tried, otherwise as the key views show it";
   return element("section", "w12", element("h2", "", "Shortlist ", element("small", "", note)), list,
     details.hypotheses.length ? "" : element("p", "faint", "no class is like it"));
 }

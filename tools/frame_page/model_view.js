@@ -25,6 +25,12 @@ function rowsOfView(view, up) {
   return [x, cross(z, x), z];
 }
 
+// The same, with the picture turned clockwise.
+function rolled([x, y, z], roll) {
+  const cos = Math.cos(roll), sin = Math.sin(roll);
+  return [x.map((part, k) => cos * part - sin * y[k]), x.map((part, k) => sin * part + cos * y[k]), z];
+}
+
 // Where the object stands before the camera: as found, or as seen from a direction.
 function standing(model, seen) {
   if (seen.pose) {
@@ -32,7 +38,7 @@ function standing(model, seen) {
     return { rows, centre: times(rows, model.centre).map((part, k) => part + seen.pose.translation[k]) };
   }
   const far = model.radius / Math.sin(Math.min(60, Math.max(5, model.fov)) * Math.PI / 360);
-  return { rows: rowsOfView(seen.view, model.up), centre: [0, 0, far] };
+  return { rows: rolled(rowsOfView(seen.view, model.up), seen.roll ?? 0), centre: [0, 0, far] };
 }
 
 // Vertices in pixels of a square of that side, with 1/z and their place before the camera; filled
@@ -134,7 +140,7 @@ function drawEdges(pen, model, points, nearest, side) {
   pen.stroke();
 }
 
-// `seen`: {pose} or {view}, of an object; false where there is no model of it or none to be seen.
+// `seen`: {pose} or {view, roll}, of an object; false where there is no model of it or none to be seen.
 function drawModel(canvas, object, seen) {
   const model = models.get(object);
   if (!model?.vertices || !(seen.pose || Math.hypot(...(seen.view ?? [0])) > 0.5)) return false;

@@ -44,11 +44,15 @@ const kindsOf = source => {
 };
 return (async () => {
   const canvas = document.createElement("canvas");
-  if (!drawModel(canvas, drawn, { view: JSON.parse(traced.view) })) return 0;
+  if (!drawModel(canvas, drawn, { view: JSON.parse(traced.view), roll: traced.roll })) return 0;
   const image = new Image();
   image.src = traced.uri;
   await image.decode();
-  const a = kindsOf(canvas), b = kindsOf(image);
+  const turned = new OffscreenCanvas(image.width, image.height), pen = turned.getContext("2d");
+  pen.translate(image.width / 2, image.height / 2);
+  pen.rotate(traced.roll);
+  pen.drawImage(image, -image.width / 2, -image.height / 2);
+  const a = kindsOf(canvas), b = kindsOf(turned);
   return a.filter((kind, k) => kind === b[k]).length / a.length;
 })();
 """
@@ -220,10 +224,11 @@ class ThePage(unittest.TestCase):
     def test_draws_models_as_a_ray_tracer_does(self):
         for name, view in VIEWS.items():
             other = "l_shape" if name == "cube" else "cube"
-            traced = {"uri": self.uris[name], "view": json.dumps(view)}
+            traced = {"uri": self.uris[name], "view": json.dumps(view), "roll": 0}
             # The rest is edges, which are drawn dark.
             self.assertGreater(self.page.run(LIKENESS, name, traced), 0.9)
             self.assertLess(self.page.run(LIKENESS, other, traced), 0.6)
+            self.assertGreater(self.page.run(LIKENESS, name, {**traced, "roll": math.pi / 2}), 0.9)
 
 
 if __name__ == "__main__":
