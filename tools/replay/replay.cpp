@@ -152,17 +152,55 @@ void test_indexes(std::span<const ClassIndex> indexes, Console& console) {
   }
 }
 
+Result<RecogniserParameters> parameters_for(const ReplayOptions& options, const ClassIndex& first) {
+  Configuration configuration;
+  if (options.configuration) {
+    Result<Configuration> read = read_configuration(*options.configuration);
+    if (!read) return Error{read.error()};
+    configuration = std::move(read).value();
+  }
+  RecogniserParameters parameters;
+  parameters.vision = first.vision;
+  configuration.apply(parameters);
+  options.recognition.apply(parameters);
+  TrackingParameters& tracking = parameters.tracking;
+  if (tracking.on && options.explain && !options.explain->empty())
+    return Error{"--explain " + *options.explain +
+                 ": what was not chosen is not followed; leave --track out"};
+  // What is only followed has no contours to explain it by.
+  if (options.explain) tracking.search_every = 1;
+  return parameters;
+}
+
+// Null where nobody asked.
+Result<std::unique_ptr<FrameExplainer>> explainer_for(const ReplayOptions& options,
+                                                      std::span<const ClassIndex> indexes,
+                                                      const RecogniserParameters& parameters) {
+  if (!options.explain) return std::unique_ptr<FrameExplainer>();
+  auto explainer = std::make_unique<FrameExplainer>(indexes);
+  if (!options.explain->empty()) {
+    const Result<ExpectedHypothesis> expected = find_expected(*options.explain, indexes);
+    if (!expected) return Error{expected.error()};
+    explainer->expect(parameters, expected.value());
+  }
+  return explainer;
+}
+
+Result<std::optional<BopRows>> bop_rows_for(const ReplayOptions& options, std::size_t objects) {
+  if (!options.bop) return std::optional<BopRows>();
+  if (options.bop->objects.size() != objects)
+    return Error{
+        fmt::format("--bop: {} ids for {} loaded objects; give one for each, in the "
+                    "order of the indexes, with commas between",
+                    options.bop->objects.size(), objects)};
+  return std::optional<BopRows>(*options.bop);
+}
+
 }  // namespace
 
 int replay(const ReplayOptions& options) {
   constexpr int kFailed = 1;
   Console console("aspect-replay");
-  Configuration configuration;
-  if (options.configuration) {
-    Result<Configuration> read = read_configuration(*options.configuration);
-    if (!read) return console.fail(read.error()), kFailed;
-    configuration = std::move(read).value();
-  }
   const IndexSet set = load_indexes(options.indexes);
   for (const std::string& failure : set.failures) console.fail(failure);
   for (const std::string& warning : set.warnings) console.warn(warning);
@@ -172,41 +210,20 @@ int replay(const ReplayOptions& options) {
     test_indexes(indexes, console);
     return console.failures() == 0 ? 0 : kFailed;
   }
+  const auto parameters = parameters_for(options, indexes.front());
+  if (!parameters) return console.fail(parameters.error()), kFailed;
   const auto pictures = StagePictures::create(options.overlay_folder, options.dump_folder);
   if (!pictures) return console.fail(pictures.error()), kFailed;
-
-  RecogniserParameters parameters;
-  parameters.vision = indexes.front().vision;
-  configuration.apply(parameters);
-  options.recognition.apply(parameters);
-  TrackingParameters& tracking = parameters.tracking;
-  if (tracking.on && options.explain && !options.explain->empty())
-    return console.fail("--explain " + *options.explain +
-                        ": what was not chosen is not followed; leave --track out"),
-           kFailed;
-  // What is only followed has no contours to explain it by.
-  if (options.explain) tracking.search_every = 1;
-
-  std::optional<FrameExplainer> explainer;
-  if (options.explain) explainer.emplace(indexes);
-  if (options.explain && !options.explain->empty()) {
-    const Result<ExpectedHypothesis> expected = find_expected(*options.explain, indexes);
-    if (!expected) return console.fail(expected.error()), kFailed;
-    explainer->expect(parameters, expected.value());
-  }
-
-  RecordedFrames frames(options.frames, parameters.vision.sensor);
-  if (options.bop && options.bop->objects.size() != indexes.size())
-    return console.fail(
-               fmt::format("--bop: {} ids for {} loaded objects; give one for each, in the "
-                           "order of the indexes, with commas between",
-                           options.bop->objects.size(), indexes.size())),
-           kFailed;
-  auto page = create_replay_page(options, indexes, parameters);
+  auto explainer = explainer_for(options, indexes, parameters.value());
+  if (!explainer) return console.fail(explainer.error()), kFailed;
+  auto bop = bop_rows_for(options, indexes.size());
+  if (!bop) return console.fail(bop.error()), kFailed;
+  auto page = create_replay_page(options, indexes, parameters.value());
   if (!page) return console.fail(page.error()), kFailed;
-  FrameLoop loop(indexes, parameters, pictures.value(), console, explainer ? &*explainer : nullptr,
-                 options.bop ? std::optional<BopRows>(*options.bop) : std::nullopt,
-                 std::move(page).value());
+
+  RecordedFrames frames(options.frames, parameters.value().vision.sensor);
+  FrameLoop loop(indexes, parameters.value(), pictures.value(), console, explainer.value().get(),
+                 std::move(bop).value(), std::move(page).value());
   Pace pace(options.pace_fps);
   const bool finished = process_all(frames, pace, loop, console);
   loop.finish();
