@@ -34,12 +34,14 @@ bool says_little(const Blob& blob, std::size_t contours, const Blob& largest, co
                           (&blob != &largest && largest.area_px > kMuch * frame_px));
 }
 
-CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& index,
-                      const Frame& frame) {
-  const double width = frame.width_px, height = frame.height_px;
-  if (parameters.camera) {
-    CameraModel camera = parameters.camera->model;
-    const double scale = parameters.camera->width_px > 0 ? width / parameters.camera->width_px : 1;
+}  // namespace
+
+CameraModel camera_for(const std::optional<CalibratedCamera>& calibrated, const ClassIndex& index,
+                       int width_px, int height_px) {
+  const double width = width_px, height = height_px;
+  if (calibrated) {
+    CameraModel camera = calibrated->model;
+    const double scale = calibrated->width_px > 0 ? width / calibrated->width_px : 1;
     camera.fx_px *= scale;
     camera.fy_px *= scale;
     camera.cx_px = (camera.cx_px + 0.5) * scale - 0.5;
@@ -51,8 +53,6 @@ CameraModel camera_of(const RecogniserParameters& parameters, const ClassIndex& 
       width / (2 * portable_tan(static_cast<double>(index.field_of_view_deg) * kHalf_rad_per_deg));
   return {focal_px, focal_px, (width - 1) / 2, (height - 1) / 2};
 }
-
-}  // namespace
 
 void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
                          const RecogniserParameters& parameters, int width_px, int height_px) {
@@ -89,7 +89,7 @@ Recognition Recogniser::recognise(const Frame& frame, int steps) noexcept {
   left_undone_ = {};
   if (has_limit()) deadline_ = {parameters_.clock() + parameters_.time_limit, parameters_.clock};
   for (std::size_t i = 0; i < indexes_.size(); ++i)
-    cameras_[i] = camera_of(parameters_, indexes_[i], frame);
+    cameras_[i] = camera_for(parameters_.camera, indexes_[i], frame.width_px, frame.height_px);
   std::optional<Recognition> followed;
   if (tracks()) {
     tracker_.begin({cameras_, frame.width_px, frame.height_px, std::max(1, steps), deadline_});

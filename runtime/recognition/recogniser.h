@@ -32,6 +32,11 @@ struct CalibratedCamera {
   int width_px = 0;
 };
 
+// For frames of that size; without a calibration: the index's field of view, about the picture's
+// centre.
+CameraModel camera_for(const std::optional<CalibratedCamera>& calibrated, const ClassIndex& index,
+                       int width_px, int height_px);
+
 struct RecogniserParameters {
   VisionParameters vision;
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "tests/runtime/recognition/painted_box.h"
@@ -100,6 +101,21 @@ ObjectModel cube() {
 // Six units before the camera, its face of 200 pixels' side towards it.
 const RigidPose kStraightAhead{{}, {0, 0, 6}};
 const CameraModel kCamera{500, 500, 319.5, 239.5};
+
+TEST_CASE("A camera's own format is shown in its colours") {
+  cv::Mat words(48, 64, CV_8UC2), expected;
+  for (int y = 0; y < words.rows; ++y)
+    for (int x = 0; x < words.cols; ++x)
+      words.at<cv::Vec2b>(y, x) =
+          cv::Vec2b(static_cast<std::uint8_t>(60 + 2 * x),
+                    static_cast<std::uint8_t>(x % 2 == 0 ? 90 + y : 170 - y));
+  const Frame frame = {words.data, words.cols, words.rows, std::ptrdiff_t{2} * words.cols,
+                       PixelFormat::yuyv8};
+  cv::cvtColor(words, expected, cv::COLOR_YUV2BGR_YUY2);
+  const cv::Mat shown = picture_of(frame);
+  REQUIRE(shown.type() == CV_8UC3);
+  CHECK(cv::norm(shown, expected, cv::NORM_INF) <= 3);
+}
 
 TEST_CASE("A match is drawn with the edges and the axes of its pose") {
   const TwoRectangles seen;

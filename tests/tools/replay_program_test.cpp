@@ -34,6 +34,13 @@ cv::Mat flag(int width_px, int height_px, bool mirrored = false) {
   return picture;
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
 class Replay {
  public:
   Replay() {
@@ -144,7 +151,8 @@ TEST_CASE("Help and version are printed") {
   CHECK(help.exit_code == 0);
   for (const char* option :
        {"--index", "--config", "--top", "--overlay", "--dump", "--pace", "--matching", "--ranking",
-        "--self-test", "--explain", "--track", "--search-every", "--time-limit-ms"})
+        "--self-test", "--explain", "--track", "--search-every", "--time-limit-ms", "--html",
+        "--truth", "--symmetries", "--bop", "--bop-unit-mm"})
     CHECK_THAT(help.out, Contains(option));
   const Outcome version = replay.run("--version");
   CHECK(version.exit_code == 0);
@@ -340,6 +348,72 @@ TEST_CASE("A reader that goes away ends the run quietly") {
   CHECK(read_file(folder / "code") == "0\n");
   CHECK(cut.err == "");
   CHECK(json::accept(cut.out));
+}
+
+TEST_CASE("A page has every frame, the unreadable ones as such, and lines are as without it") {
+  const Replay replay;
+  replay.folder().write("frames/3.png", "text");
+  const std::string indexes = "--index flag.aspect --index mirror.aspect ";
+  const Outcome outcome = replay.run(indexes + "--html pages/one frames");
+  CHECK(outcome.exit_code == 1);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  const auto lines = json_lines(outcome.out),
+             plain = json_lines(replay.run(indexes + "frames").out);
+  REQUIRE(lines.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(lines[k]["objects"] == plain[k]["objects"]);
+  const std::string page = read_file(replay.folder() / "pages/one/index.html");
+  CHECK(std::distance(fs::directory_iterator(replay.folder() / "pages/one"), {}) == 1);
+  std::vector<json> frames;
+  for (const std::string& line : lines_of(page))
+    if (line.starts_with("<script type=\"application/json\" class=\"data-frame\">"))
+      frames.push_back(json::parse(line.substr(line.find('{'), line.rfind("</") - line.find('{'))));
+  REQUIRE(frames.size() == 4);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(frames[k]["name"] == lines[k]["frame"]);
+    CHECK(frames[k]["objects"][0]["object"] == lines[k]["objects"][0]["hypotheses"][0]["object"]);
+  }
+  CHECK_THAT(frames[3]["error"].get<std::string>(), StartsWith("frames/3.png: not a picture"));
+  // Why not the other one, though nobody asked for it on the lines.
+  CHECK_THAT(page, Contains("\"others\":[{") && Contains("\"contours\":{\"left_out\":0"));
+  CHECK(outcome.out.find("explanation") == std::string::npos);
+}
+
+TEST_CASE("A page whose reader of lines has gone is written all the same") {
+  const Replay replay;
+  const Outcome outcome = replay.run("--index flag.aspect --html page frames", ">&-");
+  CHECK(outcome.exit_code == 0);
+  const std::string page = read_file(replay.folder() / "page/index.html");
+  CHECK_THAT(page, Contains("frames/2.png"));
+  CHECK(page.ends_with("</html>\n"));
+}
+
+TEST_CASE("Where no page can be written, or its truth is no good, nothing is done") {
+  const Replay replay;
+  replay.folder().write("truth.csv", "file,object\n");
+  replay.folder().write("taken", "");
+  fs::create_directories(replay.folder() / "folder/index.html");
+  for (const auto& [arguments, words] : std::vector<std::pair<std::string, std::string>>{
+           {"--html taken", "taken: cannot be made a folder"},
+           {"--html folder", "folder/index.html: cannot be written"},
+           {"--html page --truth none.csv", "none.csv: no such file"},
+           {"--html page --truth truth.csv", "truth.csv: holds no frames"}}) {
+    const Outcome outcome = replay.run("--index flag.aspect " + arguments + " frames");
+    INFO(arguments);
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.out == "");
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_THAT(outcome.err, StartsWith("aspect-replay: " + words));
+    CHECK_FALSE(fs::exists(replay.folder() / "page/index.html"));
+  }
+  CHECK(replay.run("--index flag.aspect --truth truth.csv frames").exit_code == 2);
+}
+
+TEST_CASE("Followed objects are in a page, too") {
+  const Replay replay;
+  const Outcome outcome = replay.run("--index flag.aspect --track --html page frames");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err == "");
+  CHECK_THAT(read_file(replay.folder() / "page/index.html"), Contains("frames/2.png"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Why not the other one, asked of two compiled models seen from anywhere.
 #include "tools/replay/rival_explanation.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <random>
 #include <vector>
@@ -15,22 +16,21 @@ const std::vector<ClassIndex>& indexes() {
   return both;
 }
 
-RivalExplainer explainer(const char* expected) {
-  return {indexes(), {}, find_expected(expected, indexes()).value()};
+ExpectedHypothesis expected(const char* name) {
+  return find_expected(name, indexes()).value();
 }
 
 TEST_CASE("The right object was chosen, and another one explains the picture less") {
-  RivalExplainer right = explainer("cube"), wrong = explainer("l_shape");
+  RivalExplainer explainer(indexes(), {});
   ModelCamera camera("cube");
   std::mt19937 random(5);
   int laid_over = 0;
   for (int view = 0; view < 12; ++view) {
     const OwnedFrame frame = camera.view(random_direction(random));
-    for (RivalExplainer* rival : {&right, &wrong}) {
-      rival->make_room(frame.width_px, frame.height_px);
-      rival->look(frame.frame());
-    }
-    const RivalExplanation cube = right.explain(0), other = wrong.explain(0);
+    explainer.make_room(frame.width_px, frame.height_px);
+    explainer.look(frame.frame());
+    const RivalExplanation cube = explainer.explain(0, expected("cube")),
+                           other = explainer.explain(0, expected("l_shape"));
     CHECK(cube.chosen);
     CHECK(cube.rank == 1);
     REQUIRE(cube.agreement);
@@ -49,6 +49,27 @@ TEST_CASE("The right object was chosen, and another one explains the picture les
     ++laid_over;
   }
   CHECK(laid_over > 0);
+}
+
+TEST_CASE("What fills the picture was compared with nothing, and that is said") {
+  // Stripes of the colours that the objects have, from border to border.
+  OwnedFrame frame{320, 240, {}};
+  const std::array<std::array<std::uint8_t, 3>, 4> colours = {
+      {{217, 26, 26}, {26, 191, 38}, {31, 51, 217}, {230, 217, 20}}};
+  for (int y = 0; y < frame.height_px; ++y)
+    for (int x = 0; x < frame.width_px; ++x)
+      for (const std::uint8_t level : colours[static_cast<std::size_t>(x / 80)])
+        frame.rgb.push_back(level);
+  RivalExplainer explainer(indexes(), {});
+  explainer.make_room(frame.width_px, frame.height_px);
+  explainer.look(frame.frame());
+  REQUIRE(explainer.has_seen(0, {0, 0, frame.width_px, frame.height_px}));
+  for (const char* name : {"cube", "l_shape"}) {
+    const RivalExplanation other = explainer.explain(0, expected(name));
+    CHECK_THAT(other.reason, Catch::Matchers::Contains("fills the picture"));
+    CHECK(other.needed == 0);
+    CHECK_FALSE(other.on_shortlist);
+  }
 }
 
 TEST_CASE("A class can be expected by its number, of any object or of one") {

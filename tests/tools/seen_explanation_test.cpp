@@ -1,5 +1,6 @@
 #include "tools/replay/seen_explanation.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -77,7 +78,7 @@ TEST_CASE("Nothing is missing and nothing contradicts where a model is seen as d
   Hypothesis hypothesis;
   hypothesis.contours = matches;
   const VerifiedPose pose = straight_ahead();
-  const SeenExplanation explanation = explain_seen(hypothesis, &pose, 0, frame);
+  const SeenExplanation explanation = explain_seen(hypothesis, &pose, {}, frame);
   CHECK(explanation.missing.empty());
   CHECK(explanation.contradicting.empty());
   REQUIRE(explanation.contours.size() == 2);
@@ -99,7 +100,7 @@ TEST_CASE("What a pose shows and the picture does not is told, and the other way
   scenery.paint({320, 240, 150, 100}, kBlue);
   const SeenFrame frame = scenery.seen(indexes, kCameras);
   const VerifiedPose pose = straight_ahead();
-  const SeenExplanation explanation = explain_seen(Hypothesis(), &pose, 0, frame);
+  const SeenExplanation explanation = explain_seen(Hypothesis(), &pose, {}, frame);
   REQUIRE(explanation.missing.size() == 1);
   const MissingPart& part = explanation.missing[0];
   CHECK(part.name == std::uint16_t{1});
@@ -123,13 +124,34 @@ TEST_CASE("What a pose shows and the picture does not is told, and the other way
   }
 }
 
+TEST_CASE("What is beside a part of a scene does not speak against it, what is before it does") {
+  const std::vector<ClassIndex> indexes = {square()};
+  Scenery scenery;
+  scenery.paint({120, 140, 400, 200}, kBlue);
+  scenery.paint(kUpper, kRed);
+  scenery.paint({220, 240, 100, 100}, kGreen);
+  const SeenFrame frame = scenery.seen(indexes, kCameras);
+  REQUIRE(frame.graph.blobs.size() == 1);
+  const VerifiedPose pose = straight_ahead();
+  const Box part{220, 140, 200, 200};
+  const SeenExplanation whole = explain_seen(Hypothesis(), &pose, {}, frame),
+                        own = explain_seen(Hypothesis(), &pose, {0, part}, frame);
+  REQUIRE(own.contradicting.size() == 1);
+  CHECK(own.contradicting[0].drawn == indexes[0].model.shares[1]);
+  CHECK(own.contradicting[0].area_px == Approx(10000).epsilon(0.1));
+  CHECK(std::any_of(whole.contradicting.begin(), whole.contradicting.end(),
+                    [](const Contradiction& other) { return !other.drawn; }));
+  CHECK(own.missing.size() == 1);
+  CHECK(explain_seen(Hypothesis(), nullptr, {0, part}, frame).contradicting.empty());
+}
+
 TEST_CASE("A surface of which nothing is seen is missing altogether") {
   const std::vector<ClassIndex> indexes = {square()};
   Scenery scenery;
   scenery.paint(kUpper, kRed);
   const VerifiedPose pose = straight_ahead();
   const SeenFrame frame = scenery.seen(indexes, kCameras);
-  const SeenExplanation explanation = explain_seen(Hypothesis(), &pose, 0, frame);
+  const SeenExplanation explanation = explain_seen(Hypothesis(), &pose, {}, frame);
   REQUIRE(explanation.missing.size() == 1);
   CHECK(explanation.missing[0].name == std::uint16_t{1});
   REQUIRE(explanation.missing[0].covered);
@@ -146,7 +168,7 @@ TEST_CASE("Without a pose, contours without a match are told") {
   const std::vector<ContourMatch> matches = {{0, 0}};
   Hypothesis hypothesis;
   hypothesis.contours = matches;
-  const SeenExplanation explanation = explain_seen(hypothesis, nullptr, 0, frame);
+  const SeenExplanation explanation = explain_seen(hypothesis, nullptr, {}, frame);
   REQUIRE(explanation.missing.size() == 1);
   CHECK(explanation.missing[0].name == std::uint16_t{1});
   CHECK_FALSE(explanation.missing[0].covered);
@@ -163,7 +185,7 @@ TEST_CASE("A pose that cannot be drawn is as good as none") {
   VerifiedPose pose;
   pose.refined.pose = {{}, {0, 0, -5}};
   const SeenFrame frame = scenery.seen(indexes, kCameras);
-  const SeenExplanation explanation = explain_seen(Hypothesis(), &pose, 0, frame);
+  const SeenExplanation explanation = explain_seen(Hypothesis(), &pose, {}, frame);
   CHECK(explanation.missing.size() == 2);
   CHECK(explanation.contradicting.size() == 1);
 }

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "runtime/output/preview_picture.h"
 #include "runtime/vision/contour_trace.h"
 #include "tools/draw/id_colour.h"
 
@@ -44,6 +45,16 @@ cv::Mat ids_as_colours(const cv::Mat& ids) {
   return picture;
 }
 
+cv::Mat camera_colours(const Frame& frame) {
+  cv::Mat picture(frame.height_px, frame.width_px, CV_8UC3);
+  for (int y = 0; y < frame.height_px; ++y)
+    for (int x = 0; x < frame.width_px; ++x) {
+      const auto [red, green, blue] = preview_rgb(frame, x, y);
+      picture.at<cv::Vec3b>(y, x) = cv::Vec3b(blue, green, red);
+    }
+  return picture;
+}
+
 }  // namespace
 
 cv::Mat recorded_picture(const Frame& frame) {
@@ -64,6 +75,7 @@ cv::Mat recorded_picture(const Frame& frame) {
 }
 
 cv::Mat picture_of(const Frame& frame) {
+  if (is_yuv(frame.format) || is_bayer(frame.format)) return camera_colours(frame);
   cv::Mat picture = recorded_picture(frame);
   if (picture.type() == CV_16UC1)
     picture =

@@ -11,8 +11,8 @@
 
 namespace aspect {
 
-// The frame in colours of 8 bits, in OpenCV's order: depths as greys, the nearer the lighter, and
-// surface ids in colours of their own.
+// The frame in colours of 8 bits, in OpenCV's order: what a camera gave as it was meant, depths as
+// greys, the nearer the lighter, and surface ids in colours of their own.
 cv::Mat picture_of(const Frame& frame);
 
 // The frame with its own pixels, as a file keeps them: colours in OpenCV's order, or one channel of

@@ -142,7 +142,33 @@ void add_pieces(const ScreenPoint& from, const ScreenPoint& to, const Window& wi
   finish();
 }
 
+// Of the triangles on both sides of an edge, outwards of the one where it is inwards of the other.
+struct Sides {
+  Vector3d first, second;
+};
+
+Sides sides_of(const Vector3d& a, const Vector3d& b, const Vector3d& beside_first,
+               const Vector3d& beside_second) {
+  return {cross(b - a, beside_first - a), cross(beside_second - a, b - a)};
+}
+
+// One side is seen from the front, the other from behind.
+bool is_outline(const ObjectModel& model, const ModelEdge& edge, const RigidPose& pose) {
+  const Vector3d a = pose(model.vertices[edge.ends[0]]), b = pose(model.vertices[edge.ends[1]]);
+  const Sides sides = sides_of(a, b, pose(model.vertices[edge.opposite[0]]),
+                               pose(model.vertices[edge.opposite[1]]));
+  return (dot(sides.first, a) < 0) != (dot(sides.second, a) < 0);
+}
+
 }  // namespace
+
+bool is_smooth(const ObjectModel& model, const ModelEdge& edge) {
+  if (edge.opposite[0] == edge.opposite[1] || edge.colours[0] != edge.colours[1]) return false;
+  const Sides sides = sides_of(model.vertices[edge.ends[0]], model.vertices[edge.ends[1]],
+                               model.vertices[edge.opposite[0]], model.vertices[edge.opposite[1]]);
+  constexpr double kLeastCosine = 0.819;  // of 35 degrees: of ten facets round a cylinder, and more
+  return dot(sides.first, sides.second) > kLeastCosine * norm(sides.first) * norm(sides.second);
+}
 
 std::vector<PictureLine> line_through(const Vector3d& from, const Vector3d& to,
                                       const CameraModel& camera, int width_px, int height_px) {
@@ -167,7 +193,7 @@ std::vector<PictureLine> edges_seen(const ObjectModel& model, const RigidPose& p
   std::vector<PictureLine> pieces;
   for (const ModelEdge& edge : model.edges) {
     const auto &a = points[edge.ends[0]], &b = points[edge.ends[1]];
-    if (!a || !b) continue;
+    if (!a || !b || (is_smooth(model, edge) && !is_outline(model, edge, pose))) continue;
     const auto is_seen = [&](const ScreenPoint& p) {
       return !surfaces.hide(p, kSlack * model.radius * p.nearness);
     };

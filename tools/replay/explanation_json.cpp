@@ -93,9 +93,11 @@ void put_seen(JsonText& json, const SeenExplanation& seen) {
   put_contradicting(json, seen.contradicting);
 }
 
-void put_rival(JsonText& json, const RivalExplanation& rival, std::span<const ClassIndex> indexes) {
-  json.key("expected");
+// `object`: where it is known without a hypothesis.
+void put_rival(JsonText& json, const RivalExplanation& rival, std::span<const ClassIndex> indexes,
+               const std::string* object = nullptr) {
   json.begin_object();
+  if (object != nullptr) put(json, "object", std::string_view(*object));
   put(json, "reason", std::string_view(rival.reason));
   put(json, "chosen", rival.chosen);
   put(json, "on_shortlist", rival.on_shortlist);
@@ -106,7 +108,8 @@ void put_rival(JsonText& json, const RivalExplanation& rival, std::span<const Cl
     put(json, "needed", std::int64_t{rival.needed});
   }
   if (rival.hypothesis) {
-    put(json, "object", std::string_view(indexes[rival.hypothesis->index].object));
+    if (object == nullptr)
+      put(json, "object", std::string_view(indexes[rival.hypothesis->index].object));
     put(json, "class", std::int64_t{rival.hypothesis->class_id});
     if (rival.rank > 0) put(json, "rank", std::int64_t{rival.rank});
     put(json, "score", rival.hypothesis->score);
@@ -116,16 +119,29 @@ void put_rival(JsonText& json, const RivalExplanation& rival, std::span<const Cl
   json.end_object();
 }
 
+void put_others(JsonText& json, const ExplainedRivals& rivals,
+                std::span<const ClassIndex> indexes) {
+  json.key("others");
+  json.begin_array();
+  for (const auto& [index, rival] : rivals.others)
+    put_rival(json, rival, indexes, &indexes[index].object);
+  json.end_array();
+}
+
 }  // namespace
 
-std::string explanation_json(const SeenExplanation& seen, const RivalExplanation* rival,
+std::string explanation_json(const SeenExplanation& seen, const ExplainedRivals& rivals,
                              std::span<const ClassIndex> indexes) {
   std::string text(std::size_t{16} << 10U, '\0');
   for (;;) {
     JsonText json(text);
     json.begin_object();
     put_seen(json, seen);
-    if (rival != nullptr) put_rival(json, *rival, indexes);
+    if (rivals.expected) {
+      json.key("expected");
+      put_rival(json, *rivals.expected, indexes);
+    }
+    if (!rivals.others.empty()) put_others(json, rivals, indexes);
     json.end_object();
     if (json.fits()) {
       text.resize(json.size());

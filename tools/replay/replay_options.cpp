@@ -48,13 +48,27 @@ the frame, name: in the class, surfaces: primitives of the scene from 1, colour:
 green and blue}], missing: what the model shows in that pose and the picture does not [{name,
 surfaces, colour, area_px, covered: share of it that has its colour}], contradicts: what shows
 another colour than the model [{contour, colour, drawn, left out where the model shows nothing,
-area_px}]}. Without a pose missing and contradicts are contours without a match. With NAME there is
-also expected, why that one was not chosen: {reason, chosen, on_shortlist, least_cost: of each of
-its views, by colours, sizes and places (ranked by classes: matched, its contours at most, and
-needed for the shortlist); and of its best hypothesis, object, class, rank from 1 where it is on
-the shortlist, score, agreement: share of the picture explained where it was tried or is now, contours,
-missing, contradicts}. Frames are looked at twice then. A word after --explain that is a file or
-folder is a frame; --explain=NAME is always a name.
+which speaks against those only that stand alone, area_px}]}. Without a pose missing and contradicts
+are contours without a match. With NAME there is also expected, why that one was not chosen:
+{reason, chosen, on_shortlist, least_cost: of each of its views, by colours, sizes and places (ranked
+by classes: matched, its contours at most, and needed for the shortlist); and of its best hypothesis,
+object, class, rank from 1 where it is on the shortlist, score, agreement: share of the picture
+explained where it was tried or is now, contours, missing, contradicts}. Frames are looked at twice
+then. A word after --explain that is a file or folder is a frame; --explain=NAME is always a name.
+
+--bop writes the rows of the BOP benchmark's results (scene_id,im_id,obj_id,score,R,t,time, a line of
+these names first) to standard output in place of lines: one for each object that is a match or
+ambiguous, with its probability for a score; --min-confidence 0 gives all. im_id is the number that a
+picture's name ends with, or a frame's of a video; a frame that has none fails. Lengths are those of
+the scene, for BOP's own models millimetres.
+
+--html writes one file that any browser shows without a network, while the lines go to standard
+output as ever: every frame with what was found drawn over it, to be filtered by object, verdict and
+error, sorted and searched; behind each its regions as segmented, the first ten classes as the
+index's model shows them, what matched which surface, what is missing, what contradicts, and why
+none of the other loaded objects was chosen (not with --track). Frames that cannot be read are in it
+as such. Frames are looked at twice then. The page is there when all frames are done; it takes 10 to
+40 KB a frame. With --truth it has the errors that aspect-score would tell.
 
 Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
 failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
@@ -65,6 +79,8 @@ Examples:
   aspect-replay --index cube.aspect --self-test
   aspect-replay --index cube.aspect --index truck.aspect --explain truck frame.png
   aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
+  aspect-replay --index duck.aspect --config camera.toml --bop 2 9 test/000002/rgb > duck.csv
+  aspect-replay --index cube.aspect --html page/ --truth truth.csv frames/ > seen.jsonl
 )";
 
 // --explain without a name, for CLI11: see with_names_attached.
@@ -95,8 +111,9 @@ std::vector<std::string> with_names_attached(int argc, const char* const* argv) 
 // What CLI11 makes of the command line; an absent option is an empty or zero value here.
 struct RawOptions {
   ReplayOptions options;
-  std::string configuration, overlay, dump;
-  std::vector<std::string> indexes, frames;
+  std::string configuration, overlay, dump, page, truth, symmetries;
+  std::vector<std::string> indexes, frames, bop;
+  double bop_unit_mm = 1;
 };
 
 template <typename Value>
@@ -140,6 +157,10 @@ void add_inputs(CLI::App& app, RawOptions& raw) {
       ->excludes(frames);
   app.final_callback([&raw] {
     if (raw.frames.empty() && !raw.options.self_test) throw CLI::RequiredError("frames");
+    if (!raw.bop.empty() && raw.bop[0].find(',') != std::string::npos)
+      throw CLI::ValidationError("--bop", raw.bop[0] + " is more than one scene");
+    if (!raw.bop.empty() && raw.options.explain)
+      throw CLI::ValidationError("--bop", "has no room for what --explain says");
   });
 }
 
@@ -190,6 +211,18 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
          "write a picture a stage: NNNNNN_1_input.png, _2_regions (one colour each, black: none), "
          "_3_overlay, _4_numbers (of the contours)")
       ->type_name("FOLDER");
+  CLI::Option* page = app.add_option("--html", raw.page,
+                                     "write a page of all frames, FOLDER/index.html: pictures with "
+                                     "what was seen, filters, and for each frame why")
+                          ->type_name("FOLDER");
+  CLI::Option* truth =
+      app.add_option("--truth", raw.truth, "with --html: what is right, as aspect-score takes it")
+          ->needs(page)
+          ->type_name("FILE.csv");
+  app.add_option("--symmetries", raw.symmetries,
+                 "with --truth: rotations that leave objects as they are")
+      ->needs(truth)
+      ->type_name("FILE");
   app.add_option_function<std::string>(
          "--explain", [&raw](const std::string& name) { raw.options.explain = name; },
          "tell why each object is taken for what it is, and why not for NAME: an object, a class's "
@@ -208,6 +241,42 @@ void add_outputs(CLI::App& app, RawOptions& raw) {
       ->type_name("FPS");
 }
 
+std::vector<std::uint32_t> whole_numbers(const std::string& text) {
+  std::vector<std::uint32_t> numbers;
+  const char *at = text.data(), *end = at + text.size();
+  for (;; ++at) {
+    std::uint32_t number = 0;
+    const auto parsed = std::from_chars(at, end, number);
+    if (parsed.ec != std::errc()) return {};
+    numbers.push_back(number);
+    at = parsed.ptr;
+    if (at == end) return numbers;
+    if (*at != ',') return {};
+  }
+}
+
+void add_bop(CLI::App& app, RawOptions& raw) {
+  CLI::Option* bop =
+      app.add_option("--bop", raw.bop,
+                     "write poses as the BOP benchmark's CSV instead of lines; OBJ_ID of the "
+                     "object, or with commas of each that is loaded")
+          ->type_name("SCENE_ID OBJ_ID")
+          ->expected(2)
+          ->allow_extra_args(false)
+          ->check([](const std::string& text) {
+            return whole_numbers(text).empty() ? text + " is no number that BOP has for an id" : "";
+          });
+  app.add_option("--bop-unit-mm", raw.bop_unit_mm,
+                 "with --bop: millimetres in a unit of the scenes, 1000 for metres [1]")
+      ->needs(bop)
+      ->check([](const std::string& text) { return fault_of_number(text, "a length", 1e-6, 1e6); })
+      ->type_name("MM");
+}
+
+BopIds bop_ids(const RawOptions& raw) {
+  return {whole_numbers(raw.bop[0]).front(), whole_numbers(raw.bop[1]), raw.bop_unit_mm};
+}
+
 ReplayOptions finished(RawOptions raw) {
   ReplayOptions options = std::move(raw.options);
   options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
@@ -215,6 +284,10 @@ ReplayOptions finished(RawOptions raw) {
   if (!raw.configuration.empty()) options.configuration = raw.configuration;
   if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
   if (!raw.dump.empty()) options.dump_folder = raw.dump;
+  if (!raw.page.empty()) options.page_folder = raw.page;
+  if (!raw.truth.empty()) options.truth = raw.truth;
+  if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
+  if (!raw.bop.empty()) options.bop = bop_ids(raw);
   return options;
 }
 
@@ -228,6 +301,7 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_inputs(app, raw);
   add_recognition(app, raw);
   add_outputs(app, raw);
+  add_bop(app, raw);
   const std::vector<std::string> words = with_names_attached(argc, argv);
   std::vector<const char*> word_starts;
   word_starts.reserve(words.size());

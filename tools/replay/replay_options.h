@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/service/configuration.h"
+#include "tools/replay/bop_rows.h"
 
 namespace aspect {
 
@@ -15,9 +16,11 @@ struct ReplayOptions {
   std::vector<std::filesystem::path> indexes;
   std::vector<std::filesystem::path> frames;
   std::optional<std::filesystem::path> configuration;
-  std::optional<std::filesystem::path> overlay_folder, dump_folder;
+  std::optional<std::filesystem::path> overlay_folder, dump_folder, page_folder;
+  std::optional<std::filesystem::path> truth, symmetries;  // of the page
   std::optional<double> pace_fps;
   std::optional<std::string> explain;  // empty: only what was chosen
+  std::optional<BopIds> bop;           // rows in place of lines
   bool self_test = false;              // instead of frames
   RecognitionOverrides recognition;
 };

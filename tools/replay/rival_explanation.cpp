@@ -63,6 +63,21 @@ std::string why_not_on_shortlist(const RivalExplanation& rival, std::size_t cont
       *rival.least_cost);
 }
 
+Hypothesis class_hypothesis(std::size_t index, std::size_t class_id) {
+  Hypothesis hypothesis;
+  hypothesis.index = static_cast<std::uint16_t>(index);
+  hypothesis.class_id = static_cast<std::uint16_t>(class_id);
+  return hypothesis;
+}
+
+std::vector<Hypothesis> every_class(std::span<const ClassIndex> indexes) {
+  std::vector<Hypothesis> all;
+  for (std::size_t i = 0; i < indexes.size(); ++i)
+    for (std::size_t c = 0; c < indexes[i].classes.size(); ++c)
+      all.push_back(class_hypothesis(i, c));
+  return all;
+}
+
 }  // namespace
 
 Result<ExpectedHypothesis> find_expected(std::string_view name,
@@ -95,12 +110,8 @@ Result<ExpectedHypothesis> find_expected(std::string_view name,
 }
 
 RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
-                               const RecogniserParameters& parameters,
-                               const ExpectedHypothesis& expected)
-    : indexes_(indexes),
-      parameters_(keeping_all(parameters)),
-      expected_(expected),
-      recogniser_(indexes, parameters_) {
+                               const RecogniserParameters& parameters)
+    : indexes_(indexes), parameters_(keeping_all(parameters)), recogniser_(indexes, parameters_) {
   memory_.plan([&](Arena& arena) {
     matcher_.prepare(arena, indexes_);
     bounds_.prepare(arena, indexes_);
@@ -109,26 +120,48 @@ RivalExplainer::RivalExplainer(std::span<const ClassIndex> indexes,
   });
 }
 
-RivalExplanation RivalExplainer::explain(std::size_t object) {
+void RivalExplainer::look(const Frame& frame) {
+  recognition_ = recogniser_.recognise(frame);
+}
+
+RivalExplanation RivalExplainer::explain(std::size_t object, const ExpectedHypothesis& expected) {
   RivalExplanation rival;
   const auto list = recognition_.objects[object].hypotheses;
   const std::size_t blob = recognition_.objects[object].blob;
+  const bool is_part = place_of(recognition_.objects[object], recognition_.graph).part.has_value();
   BlobFeatures seen;
-  features_of(recognition_.graph, blob, seen);
-  if (parameters_.ranking == RecogniserParameters::Ranking::classes) {
-    count_matches(seen, rival);
-  } else {
-    bound_costs(seen, rival);
-    if (join_alike(recognition_.graph, recogniser_.regions(), blob, parameters_.vision, seen))
-      bound_costs(seen, rival);
+  if (!is_part) {
+    features_of(recognition_.graph, blob, seen);
+    bool may_match = true;
+    if (parameters_.ranking == RecogniserParameters::Ranking::classes) {
+      count_matches(seen, expected, rival);
+    } else {
+      may_match = bound_costs(seen, expected, rival);
+      BlobFeatures joined;
+      if (join_alike(recognition_.graph, recogniser_.regions(), blob, parameters_.vision, joined))
+        may_match = bound_costs(joined, expected, rival) || may_match;
+    }
+    // Some class is always on the shortlist of what was compared.
+    if (list.empty() && may_match) {
+      rival = {};
+      rival.reason = parameters_.time_limit.count() > 0
+                         ? "there was no time left to compare it"
+                         : "it fills the picture, which no object alone does: models were laid "
+                           "over it, and what fitted is listed for itself";
+      return rival;
+    }
   }
   const auto own =
-      std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected_.is(h); });
+      std::find_if(list.begin(), list.end(), [&](const Hypothesis& h) { return expected.is(h); });
+  if (own == list.end() && is_part) {
+    rival.reason = "models were laid over this part of the picture, and no pose of it fits better";
+    return rival;
+  }
   if (own == list.end()) {
     rival.on_shortlist = list.size() == kMaxHypotheses;
     rival.reason = rival.on_shortlist ? fmt::format("{} others fit better", list.size())
                                       : why_not_on_shortlist(rival, seen.count);
-    if (rival.least_cost) fit_expected(seen, rival);
+    if (rival.least_cost) fit_expected(seen, expected, rival);
     if (rival.hypothesis) lay_over(object, rival);
     return rival;
   }
@@ -145,50 +178,44 @@ RivalExplanation RivalExplainer::explain(std::size_t object) {
 void RivalExplainer::lay_over(std::size_t object, RivalExplanation& rival) {
   const VerifiedPose* pose = pose_of(*rival.hypothesis, object);
   if (pose != nullptr) rival.agreement = pose->agreement.all_but_rims;
-  rival.seen = explain_seen(*rival.hypothesis, pose, recognition_.objects[object].blob,
+  rival.seen = explain_seen(*rival.hypothesis, pose,
+                            place_of(recognition_.objects[object], recognition_.graph),
                             {recognition_.graph, &recogniser_.regions(), &recogniser_.colours(),
                              indexes_, recogniser_.cameras()});
 }
 
 // The best of all its views, however badly it fits.
-void RivalExplainer::fit_expected(const BlobFeatures& seen, RivalExplanation& rival) {
+void RivalExplainer::fit_expected(const BlobFeatures& seen, const ExpectedHypothesis& expected,
+                                  RivalExplanation& rival) {
   std::vector<Hypothesis> room;
-  for (std::size_t i = 0; i < indexes_.size(); ++i)
-    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
-      Hypothesis hypothesis;
-      hypothesis.index = static_cast<std::uint16_t>(i);
-      hypothesis.class_id = static_cast<std::uint16_t>(c);
-      if (expected_.is(hypothesis)) room.push_back(hypothesis);
-    }
+  for (const Hypothesis& hypothesis : every_class(indexes_))
+    if (expected.is(hypothesis)) room.push_back(hypothesis);
   room.resize(views_.run(seen.seen(), room, room.size()));
   const auto best = std::min_element(room.begin(), room.end(), better);
   if (best != room.end() && best->score > 0) rival.hypothesis = *best;
 }
 
-void RivalExplainer::bound_costs(const BlobFeatures& seen, RivalExplanation& rival) {
+bool RivalExplainer::bound_costs(const BlobFeatures& seen, const ExpectedHypothesis& expected,
+                                 RivalExplanation& rival) {
   bounds_.set_contours(seen.seen());
-  for (std::size_t i = 0; i < indexes_.size(); ++i)
-    for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
-      Hypothesis hypothesis;
-      hypothesis.index = static_cast<std::uint16_t>(i);
-      hypothesis.class_id = static_cast<std::uint16_t>(c);
-      if (!expected_.is(hypothesis)) continue;
-      const float cost = bounds_.least_cost(i, c);
-      rival.least_cost = std::min(rival.least_cost.value_or(cost), cost);
-    }
+  bool may_match = false;
+  for (const Hypothesis& hypothesis : every_class(indexes_)) {
+    const float cost = bounds_.least_cost(hypothesis.index, hypothesis.class_id);
+    may_match = may_match || cost < bounds_.most_cost();
+    if (expected.is(hypothesis)) rival.least_cost = std::min(rival.least_cost.value_or(cost), cost);
+  }
+  return may_match;
 }
 
-void RivalExplainer::count_matches(const BlobFeatures& seen, RivalExplanation& rival) {
+void RivalExplainer::count_matches(const BlobFeatures& seen, const ExpectedHypothesis& expected,
+                                   RivalExplanation& rival) {
   int most = 0;
   for (std::size_t i = 0; i < indexes_.size(); ++i) {
     matcher_.set_contours(indexes_[i], seen.seen());
     for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
       const int matched = matcher_.match(indexes_[i], c, parameters_.matching).assignment.matched;
       most = std::max(most, matched);
-      Hypothesis hypothesis;
-      hypothesis.index = static_cast<std::uint16_t>(i);
-      hypothesis.class_id = static_cast<std::uint16_t>(c);
-      if (expected_.is(hypothesis)) rival.matched = std::max(rival.matched, matched);
+      if (expected.is(class_hypothesis(i, c))) rival.matched = std::max(rival.matched, matched);
     }
   }
   rival.needed = std::max(1, most - parameters_.shortlist_slack);

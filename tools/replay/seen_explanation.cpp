@@ -37,16 +37,21 @@ struct DrawnPiece {
 // The drawn model laid beside the picture, cell by cell.
 class Comparison {
  public:
-  Comparison(const Hypothesis& hypothesis, const RigidPose& pose, std::size_t blob,
+  Comparison(const Hypothesis& hypothesis, const RigidPose& pose, const SeenPlace& place,
              const SeenFrame& frame)
       : frame_(frame),
         index_(frame.indexes[hypothesis.index]),
         camera_(frame.cameras[hypothesis.index]),
-        blob_(blob) {
+        place_(place) {
+    const Blob& blob = frame.graph.blobs[place.blob];
+    const Box& box = place.part ? *place.part : blob.box;
+    area_px_ =
+        place.part ? static_cast<float>(box.width) * static_cast<float>(box.height) : blob.area_px;
     memory_.plan([&](Arena& arena) { drawing_.prepare(arena, index_.model.vertices.size()); });
-    if (!drawing_.draw(index_.model, pose, camera_, frame.graph.blobs[blob].box)) return;
+    if (!drawing_.draw(index_.model, pose, camera_, box)) return;
     is_drawn_ = true;
-    seen_.look(*frame.regions, *frame.colours, static_cast<int>(blob), index_.model,
+    seen_.look(*frame.regions, *frame.colours,
+               place.part ? SeenColours::kAllBlobs : static_cast<int>(place.blob), index_.model,
                hypothesis.start.light);
     find_pieces();
     name_pieces(hypothesis.class_id, pose);
@@ -84,6 +89,7 @@ class Comparison {
     for (const auto& [place, cells] : wrong_) {
       const auto& [label, drawn] = place;
       if (area_of(cells) < least_area()) continue;
+      if (place_.part && drawn == kBackgroundClass) continue;
       for (const Contour& contour : frame_.graph.contours) {
         if (contour.region != label || !contour.external) continue;
         Contradiction contradiction;
@@ -103,7 +109,7 @@ class Comparison {
   float area_of(int cells) const {
     return static_cast<float>(cells) * drawing_.cell_px() * drawing_.cell_px();
   }
-  float least_area() const { return kLeastShare * frame_.graph.blobs[blob_].area_px; }
+  float least_area() const { return kLeastShare * area_px_; }
 
   ColourClass drawn_at(int column, int row) const {
     const bool inside =
@@ -224,7 +230,8 @@ class Comparison {
   const SeenFrame& frame_;
   const ClassIndex& index_;
   const CameraModel& camera_;
-  std::size_t blob_;
+  SeenPlace place_;
+  float area_px_ = 0;  // of what is seen of it, or of its box
   bool is_drawn_ = false;
   PlannedMemory memory_;
   ModelDrawing drawing_;
@@ -234,13 +241,13 @@ class Comparison {
   std::map<std::pair<std::uint16_t, ColourClass>, int> wrong_;  // by label and drawn colour
 };
 
-void compare_contours(const Hypothesis& hypothesis, std::size_t blob, const SeenFrame& frame,
+void compare_contours(const Hypothesis& hypothesis, const SeenPlace& place, const SeenFrame& frame,
                       SeenExplanation& explanation) {
   const ClassIndex& index = frame.indexes[hypothesis.index];
   const auto contours = contours_of(index, hypothesis.class_id);
-  const auto is_matched = [&](auto&& of_match, std::size_t place) {
+  const auto is_matched = [&](auto&& of_match, std::size_t number) {
     return std::any_of(hypothesis.contours.begin(), hypothesis.contours.end(),
-                       [&](const ContourMatch& match) { return of_match(match) == place; });
+                       [&](const ContourMatch& match) { return of_match(match) == number; });
   };
   for (std::size_t name = 0; name < contours.size(); ++name) {
     if (is_matched([](const ContourMatch& match) { return match.name; }, name)) continue;
@@ -250,15 +257,16 @@ void compare_contours(const Hypothesis& hypothesis, std::size_t blob, const Seen
     part.colour = contours[name].share;
     explanation.missing.push_back(part);
   }
-  const Blob& seen = frame.graph.blobs[blob];
+  if (place.part) return;
+  const Blob& seen = frame.graph.blobs[place.blob];
   for (int k = 0; k < seen.contour_count; ++k) {
-    const auto place = static_cast<std::size_t>(seen.first_contour) + static_cast<std::size_t>(k);
-    const Contour& contour = frame.graph.contours[place];
+    const auto number = static_cast<std::size_t>(seen.first_contour) + static_cast<std::size_t>(k);
+    const Contour& contour = frame.graph.contours[number];
     if (!contour.external ||
-        is_matched([](const ContourMatch& match) { return match.contour; }, place))
+        is_matched([](const ContourMatch& match) { return match.contour; }, number))
       continue;
     Contradiction contradiction;
-    contradiction.contour = static_cast<std::uint16_t>(place);
+    contradiction.contour = static_cast<std::uint16_t>(number);
     contradiction.colour = share_of(contour.mean_rgb);
     contradiction.area_px = contour.area_px;
     explanation.contradicting.push_back(contradiction);
@@ -267,8 +275,14 @@ void compare_contours(const Hypothesis& hypothesis, std::size_t blob, const Seen
 
 }  // namespace
 
+SeenPlace place_of(const SeenObject& object, const ViewGraph& graph) {
+  SeenPlace place{object.blob, {}};
+  if (graph.blobs[object.blob].box != object.box) place.part = object.box;
+  return place;
+}
+
 SeenExplanation explain_seen(const Hypothesis& hypothesis, const VerifiedPose* pose,
-                             std::size_t blob, const SeenFrame& frame) {
+                             const SeenPlace& place, const SeenFrame& frame) {
   const ClassIndex& index = frame.indexes[hypothesis.index];
   const auto contours = contours_of(index, hypothesis.class_id);
   SeenExplanation explanation;
@@ -277,12 +291,12 @@ SeenExplanation explain_seen(const Hypothesis& hypothesis, const VerifiedPose* p
                                     ClassIndex::part(index.surfaces, contours[match.name].surfaces),
                                     share_of(frame.graph.contours[match.contour].mean_rgb)});
   std::optional<Comparison> comparison;
-  if (pose != nullptr) comparison.emplace(hypothesis, pose->refined.pose, blob, frame);
+  if (pose != nullptr) comparison.emplace(hypothesis, pose->refined.pose, place, frame);
   if (comparison && comparison->is_drawn()) {
     explanation.missing = comparison->missing(hypothesis.class_id);
     explanation.contradicting = comparison->contradicting();
   } else {
-    compare_contours(hypothesis, blob, frame, explanation);
+    compare_contours(hypothesis, place, frame, explanation);
   }
   std::stable_sort(
       explanation.contradicting.begin(), explanation.contradicting.end(),

@@ -53,9 +53,17 @@ struct SeenFrame {
   std::span<const CameraModel> cameras;
 };
 
-// `pose` is the hypothesis's own or one that was found for it since; null: none. `blob` is the
-// object's place in the frame's lists of objects and blobs.
+// Where an object is in the frame.
+struct SeenPlace {
+  std::size_t blob = 0;
+  // Of one that is only a part of its blob, before a background or touching others: what is beside
+  // its model does not speak against it.
+  std::optional<Box> part;
+};
+SeenPlace place_of(const SeenObject& object, const ViewGraph& graph);
+
+// `pose` is the hypothesis's own or one that was found for it since; null: none.
 SeenExplanation explain_seen(const Hypothesis& hypothesis, const VerifiedPose* pose,
-                             std::size_t blob, const SeenFrame& frame);
+                             const SeenPlace& place, const SeenFrame& frame);
 
 }  // namespace aspect

@@ -12,19 +12,6 @@ bool is_same_file(const std::string& file, const fs::path& folder, const std::st
   return frame == file || frame.ends_with("/" + file) || fs::equivalent(frame, folder / file, code);
 }
 
-// Which frame of the truth a line is of; the truth's size where there is none.
-std::size_t frame_of_line(std::span<const TrueFrame> truth, const fs::path& folder,
-                          const std::string& frame) {
-  auto found = std::find_if(truth.begin(), truth.end(), [&](const TrueFrame& t) {
-    return is_same_file(t.file, folder, frame);
-  });
-  if (found == truth.end())
-    found = std::find_if(truth.begin(), truth.end(), [&](const TrueFrame& t) {
-      return fs::path(t.file).filename() == fs::path(frame).filename();
-    });
-  return static_cast<std::size_t>(found - truth.begin());
-}
-
 // Things seen in one frame, and what has become of them.
 class Things {
  public:
@@ -75,27 +62,6 @@ class Things {
   std::span<const FoundObject> things_;
   std::vector<bool> taken_, shown_;
 };
-
-ScoredFrame score_frame(const TrueFrame& truth, const FoundFrame* line,
-                        const KnownRotations& rotations, std::size_t& falsely_named) {
-  ScoredFrame scored{truth.file, line, {}};
-  Things things(line == nullptr ? std::span<const FoundObject>() : std::span(line->objects));
-  for (const TrueObject& object : truth.objects) {
-    ScoredObject entry{object.object, {}, object.visible >= kLeastVisible, false, kNotFound_deg};
-    if (const FoundObject* thing = things.take(object)) {
-      entry.right = true;
-      entry.found = thing->object;
-      entry.error_deg = rotations.view_error_deg(object.object, object.view, thing->view);
-    }
-    scored.objects.push_back(std::move(entry));
-  }
-  for (std::size_t k = 0; k < truth.objects.size(); ++k)
-    if (!scored.objects[k].right)
-      scored.objects[k].found = things.name_in_place_of(truth.objects[k]);
-  falsely_named += things.count_false();
-  things.add_unshown(scored.objects);
-  return scored;
-}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -163,11 +129,44 @@ double ScoreSummary::right_share() const {
   return objects == 0 ? 0 : static_cast<double>(right) / static_cast<double>(objects);
 }
 
+std::size_t frame_of_result(std::span<const TrueFrame> truth, const fs::path& folder,
+                            const std::string& frame) {
+  auto found = std::find_if(truth.begin(), truth.end(), [&](const TrueFrame& t) {
+    return is_same_file(t.file, folder, frame);
+  });
+  if (found == truth.end())
+    found = std::find_if(truth.begin(), truth.end(), [&](const TrueFrame& t) {
+      return fs::path(t.file).filename() == fs::path(frame).filename();
+    });
+  return static_cast<std::size_t>(found - truth.begin());
+}
+
+ScoredFrame score_frame(const TrueFrame& truth, const FoundFrame* line,
+                        const KnownRotations& rotations, std::size_t& falsely_named) {
+  ScoredFrame scored{truth.file, line, {}};
+  Things things(line == nullptr ? std::span<const FoundObject>() : std::span(line->objects));
+  for (const TrueObject& object : truth.objects) {
+    ScoredObject entry{object.object, {}, object.visible >= kLeastVisible, false, kNotFound_deg};
+    if (const FoundObject* thing = things.take(object)) {
+      entry.right = true;
+      entry.found = thing->object;
+      entry.error_deg = rotations.view_error_deg(object.object, object.view, thing->view);
+    }
+    scored.objects.push_back(std::move(entry));
+  }
+  for (std::size_t k = 0; k < truth.objects.size(); ++k)
+    if (!scored.objects[k].right)
+      scored.objects[k].found = things.name_in_place_of(truth.objects[k]);
+  falsely_named += things.count_false();
+  things.add_unshown(scored.objects);
+  return scored;
+}
+
 Score score_results(std::span<const TrueFrame> truth, const fs::path& truth_folder,
                     std::span<const FoundFrame> results, const KnownRotations& rotations) {
   std::vector<const FoundFrame*> line_of(truth.size(), nullptr);
   for (const FoundFrame& line : results) {
-    const std::size_t place = frame_of_line(truth, truth_folder, line.frame);
+    const std::size_t place = frame_of_result(truth, truth_folder, line.frame);
     if (place < truth.size()) line_of[place] = &line;
   }
   Score score;

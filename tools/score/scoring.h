@@ -53,6 +53,16 @@ struct Score {
   std::size_t falsely_named = 0;                // things named where no such object is
 };
 
+// Which frame of the truth a result is of, by its path or else by its file's name; the truth's size
+// where there is none. `truth_folder` is where the truth's files are named from.
+std::size_t frame_of_result(std::span<const TrueFrame> truth,
+                            const std::filesystem::path& truth_folder, const std::string& frame);
+
+// One frame: the truth's objects in their order, then what is named where no such object is.
+// `line` may be null and must outlive the result. What is named falsely is counted on top.
+ScoredFrame score_frame(const TrueFrame& truth, const FoundFrame* line,
+                        const KnownRotations& rotations, std::size_t& falsely_named);
+
 // `truth_folder` is where the truth's files are named from. `results` must outlive the score.
 Score score_results(std::span<const TrueFrame> truth, const std::filesystem::path& truth_folder,
                     std::span<const FoundFrame> results, const KnownRotations& rotations);
