@@ -43,7 +43,7 @@ struct DrawnMap {
           runs.push_back({static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(begin),
                           static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(label)});
       }
-    map = {labels, width, {0, 0, width, height}, runs, {}, {}, 0};
+    map = {labels, width, {0, 0, width, height}, runs, {}, {}, 0, {}};
     Arena arena = memory.arena();
     tracer.take(arena, width, height);
     chains.resize(labels.size() / 2 + 1024);
