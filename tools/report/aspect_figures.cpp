@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -46,22 +47,25 @@ void push_apart(std::vector<Node>& nodes) {
 
 std::vector<Node> nodes_of(const ObservedView& view, const std::vector<std::uint8_t>& names) {
   std::vector<Node> nodes;
-  double most = 1e-6;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const Point2 at = view.contours[k].feature.position;
-    most =
-        std::max({most, std::abs(static_cast<double>(at.x)), std::abs(static_cast<double>(at.y))});
-  }
+  Eigen::AlignedBox2d box;
+  const auto place = [&](std::size_t k) {
+    return Eigen::Vector2f(view.contours[k].feature.position.x, view.contours[k].feature.position.y)
+        .cast<double>()
+        .eval();
+  };
+  for (std::size_t k = 0; k < names.size(); ++k) box.extend(place(k));
+  const Eigen::Vector2d field(kGraphWidth - 70, kGraphHeight - 70);
+  const Eigen::Vector2d sides = box.isEmpty() ? Eigen::Vector2d(1, 1) : box.sizes().cwiseMax(0.3);
+  const double scale = field.cwiseQuotient(sides).minCoeff();
   for (std::size_t k = 0; k < names.size(); ++k) {
     const ContourFeature& feature = view.contours[k].feature;
     const auto& share = feature.share;
     const float luminance = 0.3F * share[0] + 0.6F * share[1] + 0.1F * share[2];
-    nodes.push_back({contour_letters(names[k]),
-                     {kGraphWidth / 2 + static_cast<double>(feature.position.x) / most * 150,
-                      kGraphHeight / 2 + static_cast<double>(feature.position.y) / most * 110},
-                     std::clamp(34 * std::sqrt(static_cast<double>(feature.area)), 11.0, 30.0),
-                     colour_of_shares(share),
-                     luminance / std::max({share[0], share[1], share[2]}) < 0.45F});
+    nodes.push_back(
+        {contour_letters(names[k]),
+         Eigen::Vector2d(kGraphWidth / 2, kGraphHeight / 2) + scale * (place(k) - box.center()),
+         std::clamp(34 * std::sqrt(static_cast<double>(feature.area)), 11.0, 30.0),
+         colour_of_shares(share), luminance / std::max({share[0], share[1], share[2]}) < 0.45F});
   }
   push_apart(nodes);
   return nodes;
@@ -77,7 +81,7 @@ const char* look_of(Relation::Kind kind) {
     case Relation::Kind::apart:
       break;
   }
-  return "class=\"apart\" stroke=\"#69707a\" stroke-width=\".8\" stroke-opacity=\".55\"";
+  return "class=\"apart\" stroke=\"#69707a\" stroke-width=\".8\" stroke-opacity=\".4\"";
 }
 
 std::string relations_drawn(const ObservedView& view, const std::vector<Node>& nodes) {

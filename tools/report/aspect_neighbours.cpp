@@ -59,6 +59,7 @@ std::vector<std::vector<AspectNeighbour>> aspect_neighbours(const SphereMesh& me
   std::vector<std::vector<AspectNeighbour>> neighbours(aspects);
   for (const auto& [pair, border] : borders) {
     const double length = border.least_gap == 0 ? border.touching_deg : border.across_deg;
+    if (border.least_gap > 0 && length < kLeastAcross_deg) continue;
     neighbours[static_cast<std::size_t>(pair.first)].push_back(
         {pair.second, length, border.least_gap});
     neighbours[static_cast<std::size_t>(pair.second)].push_back(

@@ -14,8 +14,10 @@ struct AspectNeighbour {
 };
 
 // By aspect: its neighbours, longest border first, those that touch it before the others. Two
-// aspects are neighbours across a strip where it is no wider than kWidestGap patches. O(pieces).
+// aspects are neighbours across a strip where it is no wider than kWidestGap patches and longer
+// than kLeastAcross_deg. O(pieces).
 inline constexpr int kWidestGap = 6;
+inline constexpr double kLeastAcross_deg = 1;
 std::vector<std::vector<AspectNeighbour>> aspect_neighbours(const SphereMesh& mesh,
                                                             std::size_t aspects);
 

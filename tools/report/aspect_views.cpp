@@ -185,9 +185,9 @@ std::vector<std::vector<SeenView>> aspect_views(const CompiledModel& model, cons
   return views;
 }
 
-SeenView picture_from(const Eigen::Vector3d& direction, const Scene& scene,
+SeenView picture_from(const Eigen::Vector3d& direction, const Studio& studio,
                       const Renderer& renderer, const VisionParameters& vision) {
-  Observer observer(renderer, scene.studio, vision);
+  Observer observer(renderer, studio, vision);
   observer.observe(direction);
   return picture_of_last(observer, direction);
 }

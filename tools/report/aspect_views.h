@@ -37,7 +37,7 @@ std::vector<std::vector<SeenView>> aspect_views(const CompiledModel& model, cons
                                                 const CompileOptions& options, std::size_t most);
 
 // The whole object from there, cut to what is seen, without contours.
-SeenView picture_from(const Eigen::Vector3d& direction, const Scene& scene,
+SeenView picture_from(const Eigen::Vector3d& direction, const Studio& studio,
                       const Renderer& renderer, const VisionParameters& vision);
 
 // Fewer points, none farther than `most_px` from the line through those kept (Douglas and Peucker,

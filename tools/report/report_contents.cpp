@@ -23,14 +23,32 @@ std::size_t pictures_of_each(std::size_t aspects) {
                                  kMostOfAspect);
 }
 
+// With the nearest axis upwards where the studio's own up is near one: planes of projection are
+// those of the axes then, without roll.
+Studio upright(Studio studio) {
+  constexpr double kNear = 0.97;  // cosine of 14 degrees
+  const Eigen::Vector3d up = studio.up.normalized();
+  Eigen::Index axis = 0;
+  if (up.cwiseAbs().maxCoeff(&axis) > kNear)
+    studio.up = (up[axis] > 0 ? 1 : -1) * Eigen::Vector3d::Unit(axis);
+  return studio;
+}
+
+// From the front, from above and from beside, whichever way is up.
+Eigen::Vector3d overview_direction(const Eigen::Vector3d& up) {
+  const Eigen::Vector3d along =
+      std::abs(up.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d front = (along - along.dot(up) * up).normalized();
+  return (0.75 * front - 0.5 * up.cross(front) + 0.45 * up).normalized();
+}
+
 // As the camera from there has them.
 HalfSphereView half_towards(std::string name, const Eigen::Vector3d& direction,
                             const ReportContents& contents, const Renderer& renderer) {
-  const Scene& scene = contents.recipe.scene;
-  const Camera camera = camera_at(scene.studio, direction);
+  const Camera camera = camera_at(contents.studio, direction);
   return {std::move(name),
           {camera.camera_from_object.row(0), -camera.camera_from_object.row(1), direction},
-          picture_from(direction, scene, renderer, contents.recipe.options.vision)};
+          picture_from(direction, contents.studio, renderer, contents.recipe.options.vision)};
 }
 
 // In the thesis's order (Figure 4.8).
@@ -125,12 +143,13 @@ Result<ReportContents> gather(const std::filesystem::path& store, const ReportSe
   contents.explanation = std::move(explanation).value();
   look_at_sphere(contents);
   const Scene& scene = contents.recipe.scene;
+  contents.studio = upright(scene.studio);
   // The thesis's objects are Bob scenes; what else has such a name is something else.
   if (lower_extension(scene.file) == ".b") contents.thesis = thesis_rows(scene.name);
   contents.without_budget = without_budget(contents);
   contents.halves = six_halves(contents, renderer.value());
   contents.overview =
-      half_towards("", Eigen::Vector3d(0.75, -0.5, 0.45).normalized(), contents, renderer.value());
+      half_towards("", overview_direction(contents.studio.up), contents, renderer.value());
   contents.views = aspect_views(contents.model, scene, renderer.value(), contents.recipe.options,
                                 pictures_of_each(contents.aspects()));
   return contents;

@@ -39,10 +39,11 @@ struct ReportContents {
   std::vector<LevelCoverage> levels;
   std::vector<ThesisRow> thesis;  // empty where the object is none of the thesis's
   IndexWithoutBudget without_budget;
+  Studio studio;  // the scene's, its up an axis where it is near one
   SphereMesh mesh;
   std::vector<HalfSphereView> halves;
-  HalfSphereView overview;    // from an edge, all axes of the object in it
-  std::vector<double> areas;  // by aspect, share of the sphere
+  HalfSphereView overview;                               // from the front, above and beside
+  std::vector<double> areas;                             // by aspect, share of the sphere
   std::vector<std::vector<AspectNeighbour>> neighbours;  // by aspect
   std::vector<std::size_t> colours;                      // by aspect, into kMapColours
   std::vector<std::vector<SeenView>> views;              // by aspect

@@ -40,26 +40,35 @@ std::string packed_text(const std::vector<Number>& numbers) {
   return base64(bytes);
 }
 
+// Pieces with a finer one beside them are cut into more triangles, so that no gap is seen between
+// their sides.
 Json sphere_json(const SphereMesh& mesh) {
   std::vector<std::int16_t> points, classes;
-  std::vector<std::uint32_t> corners, borders;
+  std::vector<std::uint32_t> corners, borders, others;
   for (const Eigen::Vector3d& p : mesh.points)
     for (int axis = 0; axis < 3; ++axis)
       points.push_back(static_cast<std::int16_t>(std::lround(32767 * p[axis])));
   for (const SpherePiece& piece : mesh.pieces) {
-    corners.insert(corners.end(), piece.corners.begin(), piece.corners.end());
-    classes.push_back(static_cast<std::int16_t>(piece.class_id));
+    const std::vector<PointId> rim = mesh.rim(piece);
+    for (std::size_t k = 2; k < rim.size(); ++k) {
+      corners.insert(corners.end(), {rim[0], rim[k - 1], rim[k]});
+      classes.push_back(static_cast<std::int16_t>(piece.class_id));
+    }
   }
-  for (const MeshSide& side : sides_of(mesh))
-    if (mesh.pieces[side.left].class_id != mesh.pieces[side.right].class_id)
-      borders.insert(borders.end(), {side.from, side.to});
+  for (const MeshSide& side : sides_of(mesh)) {
+    auto& kind =
+        mesh.pieces[side.left].class_id == mesh.pieces[side.right].class_id ? others : borders;
+    kind.insert(kind.end(), {side.from, side.to});
+  }
   return {{"points", packed_text(points)},
           {"corners", packed_text(corners)},
           {"aspects", packed_text(classes)},
-          {"borders", packed_text(borders)}};
+          {"borders", packed_text(borders)},
+          {"sides", packed_text(others)}};
 }
 
-Json model_json(const Scene& scene) {
+Json model_json(const ReportContents& contents) {
+  const Scene& scene = contents.recipe.scene;
   const PackedModel model = packed_model(scene);
   Json vertices = Json::array(), triangles = Json::array(), paints = Json::array();
   const Eigen::Vector3d& at = scene.studio.at;
@@ -76,7 +85,8 @@ Json model_json(const Scene& scene) {
   return {{"vertices", vertices},
           {"triangles", triangles},
           {"paints", paints},
-          {"up", vector_json(scene.studio.up)}};
+          {"up", vector_json(contents.studio.up)},
+          {"front", vector_json(contents.overview.frame.towards)}};
 }
 
 const char* shape_name(ShapeClass shape) {
@@ -194,7 +204,7 @@ std::string report_json(const ReportContents& contents) {
   for (std::size_t k = 0; k < contents.aspects(); ++k) aspects.push_back(aspect_json(contents, k));
   const Json json{{"object", contents.model.index.statistics.object},
                   {"sphere", sphere_json(contents.mesh)},
-                  {"model", model_json(contents.recipe.scene)},
+                  {"model", model_json(contents)},
                   {"axes", axes_json(contents)},
                   {"tried_views", tried_json(contents.explanation)},
                   {"blind_spots", spots_json(contents.explanation)},

@@ -1,7 +1,7 @@
 const numbers = JSON.parse(document.getElementById("numbers").textContent);
 const {aspects} = numbers;
 const $ = id => document.getElementById(id);
-const home = turnTowards(unit([0.75, -0.5, 0.45]), numbers.model.up);
+const home = turnTowards(unit(numbers.model.front), numbers.model.up);
 let turn = home, picked = -1, objectTable, sphereTable, sphere;
 
 function element(tag, text, css) {
@@ -33,7 +33,8 @@ function readSphere() {
     for (let i = 0; i < 3; ++i)
       reach = Math.min(reach, dot(point(corners[k + i]), point(corners[k + (i + 1) % 3])));
   return {points, corners, point, reach: reach - 0.001, of: unpacked(numbers.sphere.aspects, Int16Array),
-          borders: unpacked(numbers.sphere.borders, Uint32Array)};
+          borders: unpacked(numbers.sphere.borders, Uint32Array),
+          sides: unpacked(numbers.sphere.sides, Uint32Array)};
 }
 
 // The aspect seen from a direction, -1: none.
@@ -56,7 +57,7 @@ function colourOfAspect(k) {
   const card = rgb(styled("--card")), mixed = (colour, share) =>
     colour.map((value, c) => Math.round(value * share + card[c] * (1 - share)));
   if (k < 0) return rgb(styled("--none"));
-  if (k === picked) return rgb(styled("--pick"));
+  if (k === picked) return [11, 99, 206];
   return mixed(rgb(aspects[k].colour), aspects[k].in_index ? 1 : 0.35);
 }
 
@@ -87,22 +88,19 @@ function drawBorders() {
 
 function drawPatches() {
   if (!$("show_patches").checked) return sphereTable.set("patches");
-  const {corners, point} = sphere, made = new Corners(2 * corners.length), none = [0, 0, 0];
-  for (let k = 0; k < corners.length; k += 3)
-    for (let i = 0; i < 3; ++i)
-      for (const corner of [corners[k + i], corners[k + (i + 1) % 3]])
-        made.add(scaled([...point(corner)], 1.001), none, [120, 60, 60]);
+  const {sides, point} = sphere, made = new Corners(sides.length), none = [0, 0, 0];
+  for (const end of sides) made.add(scaled([...point(end)], 1.001), none, [120, 60, 60]);
   sphereTable.set("patches", made, true);
 }
 
 function drawMarks() {
-  const kinds = {right: "--right", near: "--near", wrong: "--bad"};
+  const kinds = {right: [27, 94, 156], near: [185, 119, 14], wrong: [192, 57, 43]};
   const tried = $("show_tried").checked ? numbers.tried_views : [];
   const dots = new Corners(6 * tried.length);
   for (const view of tried) {
     const size = view.kind === "wrong" ? 0.05 : 0.03, [right] = turnTowards(view.from, [0.3, 0.5, 0.8]);
     const at = sign => scaled(unit(view.from.map((value, k) => value + sign * size / 2 * right[k])), 1.006);
-    dots.addStrip(at(-1), at(1), size, rgb(styled(kinds[view.kind])));
+    dots.addStrip(at(-1), at(1), size, kinds[view.kind]);
   }
   sphereTable.set("tried", dots);
   const spots = $("show_blind").checked ? numbers.blind_spots : [], steps = 72;
@@ -247,7 +245,7 @@ function showFacts(aspect) {
   const touching = aspect.neighbours.filter(([, , gap]) => gap === 0).length;
   const facts = [["area", percent(aspect.percent) + " of the sphere"],
     ["in uniform patches", percent(aspect.uniform_percent)],
-    ["views", aspect.views_seen.toLocaleString("en")],
+    ["views", aspect.views_seen.toLocaleString("en").replaceAll(",", "\u202f")],
     ["typical view", aspect.from ? direction(aspect.from) : "–"],
     ["contours", aspect.contours.length],
     ["neighbours", touching + " touching, " + (aspect.neighbours.length - touching) + " across a strip"],
@@ -273,7 +271,15 @@ function showViews(aspect) {
 
 function showContours(aspect) {
   const head = element("tr");
-  for (const name of ["contour", "area", "x", "y", "shape", "types", "surfaces"]) head.append(element("th", name));
+  for (const [name, meaning] of [["contour", "its name in all views of the aspect"],
+      ["area", "of the outline's, in the typical view"],
+      ["x", "to the right of the outline's middle, in square roots of its area"], ["y", "down, as x"],
+      ["shape", "by its affine moment invariant"], ["types", "contour types that it was seen as"],
+      ["surfaces", "of the scene, that it shows"]]) {
+    const cell = element("th", name);
+    cell.title = meaning;
+    head.append(cell);
+  }
   const rows = aspect.contours.map(contour => {
     const row = element("tr"), name = element("td");
     const chip = coloured(contour.colour);
@@ -358,8 +364,8 @@ function filterAspects() {
 }
 
 function startTables() {
-  objectTable = Turntable.on($("object"), 0.7);
-  sphereTable = objectTable && Turntable.on($("sphere"), 0.92);
+  objectTable = Turntable.on($("object"), numbers.axes.length ? 0.7 : 0.92, 0.6);
+  sphereTable = objectTable && Turntable.on($("sphere"), 0.92, 0.7);
   if (!sphereTable) {
     document.body.classList.add("without_webgl");
     $("no_webgl").hidden = false;
@@ -387,7 +393,10 @@ function showSwitches() {
 document.addEventListener("click", event => {
   const target = event.target.closest("[data-aspect], [data-from]");
   if (!target) return;
-  if (target.dataset.from) return lookFrom(target.dataset.from.split(" ").map(Number));
+  if (target.dataset.from) {
+    lookFrom(target.dataset.from.split(" ").map(Number));
+    return $("stage").scrollIntoView({behavior: "smooth", block: "nearest"});
+  }
   pick(Number(target.dataset.aspect));
   if (target.matches("button.link, .cell")) $("aspect").scrollIntoView({behavior: "smooth", block: "nearest"});
 });

@@ -153,7 +153,7 @@ Eigen::Vector2d place_in(const SeenView& picture, const Camera& camera,
 }
 
 std::string axes_drawn(const ReportContents& contents, double side) {
-  const Studio& studio = contents.recipe.scene.studio;
+  const Studio& studio = contents.studio;
   const SeenView& picture = contents.overview.picture;
   const Camera camera = camera_at(studio, picture.direction);
   const double scale = side / std::max(picture.width_px, picture.height_px);

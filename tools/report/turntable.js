@@ -29,13 +29,13 @@ function turnedBy(turn, across, down) {
 const VERTEX = `
 attribute vec3 place, normal, colour;
 uniform mat3 turn;
-uniform float scale;
+uniform float scale, ambient;
 varying vec3 shade;
 void main() {
   vec3 at = turn * place;
   // Lit from above, left and before; what has no normal shines by itself.
   float light = abs(dot(turn * normal, normalize(vec3(-0.35, 0.5, 0.8))));
-  shade = dot(normal, normal) < 0.1 ? colour : colour * (0.5 + 0.5 * light);
+  shade = dot(normal, normal) < 0.1 ? colour : colour * (ambient + (1.0 - ambient) * light);
   gl_Position = vec4(at.xy * scale, -at.z * 0.25, 1.0);
 }`;
 const FRAGMENT = `
@@ -44,14 +44,14 @@ varying vec3 shade;
 void main() { gl_FragColor = vec4(shade, 1.0); }`;
 
 class Turntable {
-  // Null where there is no WebGL.
-  static on(canvas, scale) {
+  // Null where there is no WebGL. `ambient`: light where none falls on, 0 to 1.
+  static on(canvas, scale, ambient) {
     const gl = canvas.getContext("webgl", {antialias: true});
-    return gl && new Turntable(canvas, gl, scale);
+    return gl && new Turntable(canvas, gl, scale, ambient);
   }
 
-  constructor(canvas, gl, scale) {
-    Object.assign(this, {canvas, gl, scale, layers: new Map()});
+  constructor(canvas, gl, scale, ambient) {
+    Object.assign(this, {canvas, gl, scale, ambient, layers: new Map()});
     canvas.addEventListener("webglcontextlost", event => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => this.restore());
     this.link();
@@ -71,7 +71,8 @@ class Turntable {
     this.places = ["place", "normal", "colour"].map(name => gl.getAttribLocation(program, name));
     for (const place of this.places) gl.enableVertexAttribArray(place);
     this.turn = gl.getUniformLocation(program, "turn");
-    this.scaling = gl.getUniformLocation(program, "scale");
+    gl.uniform1f(gl.getUniformLocation(program, "scale"), this.scale);
+    gl.uniform1f(gl.getUniformLocation(program, "ambient"), this.ambient);
   }
 
   // After the graphics card was taken away and given back.
@@ -105,7 +106,6 @@ class Turntable {
     gl.viewport(0, 0, side, side);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.uniformMatrix3fv(this.turn, false, [0, 1, 2].flatMap(k => turn.map(row => row[k])));
-    gl.uniform1f(this.scaling, this.scale);
     for (const {buffers, lines, count} of this.layers.values()) {
       buffers.forEach((buffer, k) => {
         gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
