@@ -67,10 +67,10 @@ std::optional<Calibration> calibration_of(const Workshop& workshop, const Scene&
 
 }  // namespace
 
-Result<CompiledModel> compile_model(const Scene& scene, const CompileOptions& options,
-                                    const std::optional<std::filesystem::path>& store_path,
-                                    const ShowProgress& show_progress,
-                                    const std::atomic<bool>* stop) {
+Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& options,
+                                  const std::optional<std::filesystem::path>& store_path,
+                                  const ShowProgress& show_progress,
+                                  const std::atomic<bool>* stop) {
   StageClock clock;
   const int threads = options.jobs > 0 ? options.jobs : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -132,19 +132,19 @@ Result<CompiledModel> compile_model(const Scene& scene, const CompileOptions& op
   if (stopped()) return interrupted;
   statistics.seconds.emit = clock.stage_s();
   statistics.seconds.total = clock.total_s();
-  return CompiledModel{std::move(subdivision),
-                       std::move(clusters),
-                       std::move(sphere_classes),
-                       std::move(symmetries),
-                       std::move(types),
-                       std::move(classes),
-                       {std::move(index.bytes), statistics}};
+  return LearntModel{std::move(subdivision),
+                     std::move(clusters),
+                     std::move(sphere_classes),
+                     std::move(symmetries),
+                     std::move(types),
+                     std::move(classes),
+                     {std::move(index.bytes), statistics}};
 }
 
 Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
                               const std::optional<std::filesystem::path>& store_path,
                               const ShowProgress& show_progress, const std::atomic<bool>* stop) {
-  Result<CompiledModel> model = compile_model(scene, options, store_path, show_progress, stop);
+  Result<LearntModel> model = compile_model(scene, options, store_path, show_progress, stop);
   if (!model) return Error{model.error()};
   return std::move(model.value().index);
 }

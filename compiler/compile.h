@@ -44,7 +44,7 @@ struct CompiledIndex {
 };
 
 // An index with all that was learnt on the way to it: what reports show.
-struct CompiledModel {
+struct LearntModel {
   Subdivision subdivision;
   std::vector<Cluster> clusters;
   SphereClasses sphere_classes;
@@ -57,10 +57,9 @@ struct CompiledModel {
 // The whole compiler on one page: renders, subdivides, clusters, names, types, describes, writes.
 // With a store path the work so far is kept there and taken up again. The same scene and options
 // give the same bytes, for any number of threads and with or without a store.
-Result<CompiledModel> compile_model(const Scene& scene, const CompileOptions& options,
-                                    const std::optional<std::filesystem::path>& store_path,
-                                    const ShowProgress& show_progress,
-                                    const std::atomic<bool>* stop);
+Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& options,
+                                  const std::optional<std::filesystem::path>& store_path,
+                                  const ShowProgress& show_progress, const std::atomic<bool>* stop);
 
 // The index alone.
 Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,

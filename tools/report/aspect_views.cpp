@@ -125,7 +125,7 @@ struct Wanted {
   bool is_in_index = false;
 };
 
-std::vector<Wanted> wanted_views(const CompiledModel& model, std::size_t most) {
+std::vector<Wanted> wanted_views(const LearntModel& model, std::size_t most) {
   const IndexStatistics& index = model.index.statistics.index;
   const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
   std::vector<Wanted> wanted;
@@ -167,7 +167,7 @@ PixelLine simplified(const PixelLine& line, double most_px) {
   return fewer;
 }
 
-std::vector<std::vector<SeenView>> aspect_views(const CompiledModel& model, const Scene& scene,
+std::vector<std::vector<SeenView>> aspect_views(const LearntModel& model, const Scene& scene,
                                                 const Renderer& renderer,
                                                 const CompileOptions& options, std::size_t most) {
   const std::vector<Wanted> wanted = wanted_views(model, most);

@@ -32,7 +32,7 @@ struct SeenView {
 // Of every aspect the typical view first, then those farthest from the ones before: the key views
 // that an index without a budget would hold, at most `most` of each. Rendered again, on all
 // threads; the result does not depend on how many.
-std::vector<std::vector<SeenView>> aspect_views(const CompiledModel& model, const Scene& scene,
+std::vector<std::vector<SeenView>> aspect_views(const LearntModel& model, const Scene& scene,
                                                 const Renderer& renderer,
                                                 const CompileOptions& options, std::size_t most);
 

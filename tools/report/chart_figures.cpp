@@ -87,6 +87,109 @@ void add_level_axis(const Chart& chart, std::string_view title, SvgFigure& figur
   figure.body += svg_text(chart.left, chart.top - 10, title, {12, "start", false, true});
 }
 
+// ---- confusions
+
+enum class Answer { right, near, wrong };
+
+struct AnswerLook {
+  const char *css, *colour;
+};
+AnswerLook look_of(Answer answer) {
+  if (answer == Answer::wrong) return {"wrong", "#c0392b"};
+  return answer == Answer::right ? AnswerLook{"right", "#1b5e9c"} : AnswerLook{"near", "#b9770e"};
+}
+
+struct ConfusionCell {
+  int views = 0, right = 0, wrong = 0;
+
+  Answer answer() const {
+    if (wrong > 0) return Answer::wrong;
+    return right > 0 ? Answer::right : Answer::near;
+  }
+};
+
+// By row and column; the column behind the last aspect: not found.
+using ConfusionCells = std::map<std::pair<std::size_t, std::size_t>, ConfusionCell>;
+
+ConfusionCells confusion_cells(const ReportContents& contents) {
+  const std::size_t count = contents.model.index.statistics.index.classes;
+  ConfusionCells cells;
+  for (const TriedView& view : contents.explanation.tried_views) {
+    const auto row = static_cast<std::size_t>(view.aspect);
+    if (view.aspect < 0 || row >= count) continue;
+    const auto column = view.taken_for ? static_cast<std::size_t>(*view.taken_for) : count;
+    ConfusionCell& cell = cells[{row, column}];
+    ++cell.views;
+    cell.right += view.is_right ? 1 : 0;
+    cell.wrong += view.is_wrong ? 1 : 0;
+  }
+  return cells;
+}
+
+// Where the cells are.
+struct ConfusionGrid {
+  std::size_t count = 0;  // aspects
+  double left = 46, top = 46, side = 0;
+
+  explicit ConfusionGrid(std::size_t aspects)
+      : count(aspects), side(std::clamp(520 / static_cast<double>(aspects + 1), 2.0, 22.0)) {}
+
+  double field() const { return side * static_cast<double>(count); }
+  // The column behind the last stands a little apart.
+  double at(std::size_t k) const {
+    return side * static_cast<double>(k) + (k == count ? 0.6 * side + 4 : 0);
+  }
+};
+
+std::string grid_drawn(const ConfusionGrid& grid) {
+  std::string drawn = fmt::format(
+      "<rect class=\"field\" x=\"{0}\" y=\"{1}\" width=\"{2:.1f}\" height=\"{2:.1f}\" "
+      "fill=\"none\" "
+      "stroke=\"#c6cbd2\"/>",
+      grid.left, grid.top, grid.field());
+  const double half = grid.side / 2;
+  const std::size_t every = grid.side >= 14 ? 1 : grid.side >= 6 ? 5 : grid.side >= 3 ? 10 : 50;
+  for (std::size_t k = 0; k < grid.count; k += every) {
+    const std::string label = std::to_string(k);
+    drawn += svg_text(grid.left - 5, grid.top + grid.at(k) + half + 3.5, label, {10, "end", true});
+    drawn += svg_text(grid.left + grid.at(k) + half, grid.top - 6, label, {10, "middle", true});
+  }
+  drawn +=
+      svg_text(grid.left + grid.at(grid.count) + half, grid.top - 6, "none", {10, "middle", true});
+  drawn += svg_text(grid.left + grid.field() / 2, 18, "taken for", {12, "middle"});
+  const double middle = grid.top + grid.field() / 2;
+  return drawn + fmt::format("<g transform=\"rotate(-90 12 {:.1f})\">{}</g>", middle,
+                             svg_text(12, middle, "seen from", {12, "middle"}));
+}
+
+std::string cells_drawn(const ConfusionGrid& grid, const ConfusionCells& cells) {
+  int most = 1;
+  for (const auto& [place, cell] : cells) most = std::max(most, cell.views);
+  std::string drawn;
+  for (const auto& [place, cell] : cells) {
+    const auto [row, column] = place;
+    const bool is_found = column < grid.count;
+    const std::string words = !is_found       ? "was not found"
+                              : column == row ? "was recognised"
+                                              : fmt::format("was taken for {}", column);
+    // What went wrong is seen, however rare it is.
+    const double opacity = cell.answer() != Answer::right
+                               ? 1
+                               : 0.35 + 0.65 * std::sqrt(static_cast<double>(cell.views) / most);
+    drawn += fmt::format(
+        "<rect class=\"cell {}\" data-aspect=\"{}\"{} data-views=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" "
+        "width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" fill-opacity=\"{:.2f}\"><title>aspect {} "
+        "{}: {} {}</title></rect>",
+        look_of(cell.answer()).css, row,
+        is_found ? fmt::format(" data-taken-for=\"{}\"", column) : "", cell.views,
+        grid.left + grid.at(column) + 0.3, grid.top + grid.at(row) + 0.3,
+        std::max(grid.side - 0.6, 1.6), std::max(grid.side - 0.6, 1.6),
+        look_of(cell.answer()).colour, opacity, row, words, cell.views,
+        cell.views == 1 ? "view" : "views");
+  }
+  return drawn;
+}
+
 }  // namespace
 
 SvgFigure coverage_figure(const ReportContents& contents) {
@@ -175,72 +278,21 @@ SvgFigure areas_figure(const ReportContents& contents) {
 }
 
 SvgFigure confusion_figure(const ReportContents& contents) {
-  struct Cell {
-    int views = 0, right = 0, wrong = 0;
-  };
-  const std::size_t count = contents.model.index.statistics.index.classes;
-  std::map<std::pair<std::size_t, std::size_t>, Cell> cells;  // row, column; `count`: not found
-  for (const TriedView& view : contents.explanation.tried_views) {
-    const auto row = static_cast<std::size_t>(view.aspect);
-    const auto column = view.taken_for ? static_cast<std::size_t>(*view.taken_for) : count;
-    if (view.aspect < 0 || row >= count) continue;
-    Cell& cell = cells[{row, column}];
-    ++cell.views;
-    cell.right += view.is_right ? 1 : 0;
-    cell.wrong += view.is_wrong ? 1 : 0;
-  }
-  const double side = std::clamp(520 / static_cast<double>(count + 1), 2.0, 22.0);
-  const double field = side * static_cast<double>(count), left = 46, top = 46;
-  SvgFigure figure{
-      left + field + side + 70, top + field + 40, "aspects seen and what they were taken for", {}};
-  const auto at = [&](std::size_t k) {
-    return side * static_cast<double>(k) + (k == count ? 0.6 * side + 4 : 0);
-  };
-  figure.body = fmt::format(
-      "<rect class=\"field\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
-      "stroke=\"#c6cbd2\"/>",
-      left, top, field, field);
-  const std::size_t every = side >= 14 ? 1 : side >= 6 ? 5 : side >= 3 ? 10 : 50;
-  for (std::size_t k = 0; k < count; k += every) {
-    const std::string label = std::to_string(k);
-    figure.body += svg_text(left - 5, top + at(k) + side / 2 + 3.5, label, {10, "end", true});
-    figure.body += svg_text(left + at(k) + side / 2, top - 6, label, {10, "middle", true});
-  }
-  int most = 1;
-  for (const auto& [place, cell] : cells) most = std::max(most, cell.views);
-  for (const auto& [place, cell] : cells) {
-    const char* kind = cell.wrong > 0 ? "wrong" : cell.right > 0 ? "right" : "near";
-    const char* colour = cell.wrong > 0 ? "#c0392b" : cell.right > 0 ? "#1b5e9c" : "#b9770e";
-    const double opacity = cell.wrong > 0 || kind[0] == 'n'
-                               ? 1
-                               : 0.35 + 0.65 * std::sqrt(static_cast<double>(cell.views) / most);
-    figure.body += fmt::format(
-        "<rect class=\"cell {}\" data-aspect=\"{}\"{} x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-        "height=\"{:.1f}\" fill=\"{}\" fill-opacity=\"{:.2f}\"><title>aspect {} {}: {} "
-        "views</title>"
-        "</rect>",
-        kind, place.first,
-        place.second < count ? fmt::format(" data-taken-for=\"{}\"", place.second) : "",
-        left + at(place.second) + 0.3, top + at(place.first) + 0.3, std::max(side - 0.6, 1.6),
-        std::max(side - 0.6, 1.6), colour, opacity, place.first,
-        place.second == count         ? std::string("was not found")
-        : place.second == place.first ? std::string("was recognised")
-                                      : fmt::format("was taken for {}", place.second),
-        cell.views);
-  }
-  figure.body += svg_text(left + at(count) + side / 2, top - 6, "none", {10, "middle", true});
-  figure.body += svg_text(left + field / 2, 18, "taken for", {12, "middle"});
-  figure.body += fmt::format("<g transform=\"rotate(-90 12 {0:.1f})\">{1}</g>", top + field / 2,
-                             svg_text(12, top + field / 2, "seen from", {12, "middle"}));
-  double x = left;
-  for (const auto& [css, colour, words] : {std::tuple{"right", "#1b5e9c", "right"},
-                                           {"near", "#b9770e", "another aspect, but near"},
-                                           {"wrong", "#c0392b", "wrong"}}) {
+  const ConfusionGrid grid(contents.model.index.statistics.index.classes);
+  SvgFigure figure{grid.left + grid.field() + grid.side + 70,
+                   grid.top + grid.field() + 40,
+                   "aspects seen and what they were taken for",
+                   {}};
+  figure.body = grid_drawn(grid) + cells_drawn(grid, confusion_cells(contents));
+  double x = grid.left;
+  for (const auto& [kind, words] : {std::pair{Answer::right, "right"},
+                                    {Answer::near, "another aspect, but near"},
+                                    {Answer::wrong, "wrong"}}) {
     figure.body += fmt::format(
         "<rect class=\"cell {}\" x=\"{:.0f}\" y=\"{:.1f}\" width=\"10\" height=\"10\" "
         "fill=\"{}\"/>",
-        css, x, top + field + 18, colour);
-    figure.body += svg_text(x + 15, top + field + 27, words, {11, "start", true});
+        look_of(kind).css, x, grid.top + grid.field() + 18, look_of(kind).colour);
+    figure.body += svg_text(x + 15, grid.top + grid.field() + 27, words, {11, "start", true});
     x += 30 + 6.4 * static_cast<double>(std::string_view(words).size());
   }
   figure.width = std::max(figure.width, x + 10);

@@ -1,8 +1,11 @@
 #include "tools/report/report_contents.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <system_error>
 
@@ -65,7 +68,7 @@ std::vector<HalfSphereView> six_halves(const ReportContents& contents, const Ren
 }
 
 IndexWithoutBudget without_budget(const ReportContents& contents) {
-  const CompiledModel& model = contents.model;
+  const LearntModel& model = contents.model;
   CompileOptions options = contents.recipe.options;
   options.max_index_bytes = kMaxIndexBytes;
   const Scene& scene = contents.recipe.scene;
@@ -100,7 +103,7 @@ Result<StoreContents> contents_of_store(const std::filesystem::path& file) {
 }
 
 void look_at_sphere(ReportContents& contents) {
-  CompiledModel& model = contents.model;
+  LearntModel& model = contents.model;
   contents.levels = coverage_by_level(model.subdivision, contents.recipe.options);
   contents.mesh = sphere_mesh(model.subdivision.sphere, model.sphere_classes);
   contents.areas = areas_of(contents.mesh, contents.aspects());
@@ -117,13 +120,17 @@ std::string contour_letters(std::size_t name) {
 }
 
 Result<ReportContents> gather(const std::filesystem::path& store, const ReportSettings& settings) {
+  std::optional<tbb::global_control> limit;
+  if (settings.trials.jobs > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(settings.trials.jobs));
   Result<Recipe> recipe = recipe_of_store(store, settings.scene);
   if (!recipe) return Error{recipe.error()};
   Result<StoreContents> kept = contents_of_store(store);
   if (!kept) return Error{kept.error()};
   CompileOptions options = recipe.value().options;
   options.jobs = settings.trials.jobs;
-  Result<CompiledModel> model = compile_model(recipe.value().scene, options, store, {}, nullptr);
+  Result<LearntModel> model = compile_model(recipe.value().scene, options, store, {}, nullptr);
   if (!model) return Error{model.error()};
   Result<ClassIndex> index =
       parse_index(std::as_bytes(std::span(model.value().index.bytes)), store.string());

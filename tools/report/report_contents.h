@@ -34,7 +34,7 @@ struct ReportContents {
   Recipe recipe;
   StoreContents store;
   std::uintmax_t store_bytes = 0;
-  CompiledModel model;
+  LearntModel model;
   Explanation explanation;
   std::vector<LevelCoverage> levels;
   std::vector<ThesisRow> thesis;  // empty where the object is none of the thesis's

@@ -172,6 +172,8 @@ function draw() {
     drawAxes();
     objectTable.draw(turn);
     sphereTable.draw(turn);
+    const ready = document.documentElement.dataset;
+    ready.readyMs ??= performance.now();
     const seen = aspectAt(turn[2]);
     $("looking").textContent = "seen from " + direction(turn[2]) + ": " +
       (seen < 0 ? "no aspect" : "aspect " + seen + (aspects[seen].in_index ? "" : ", not in the index"));
@@ -373,6 +375,7 @@ function startTables() {
   }
   sphere = readSphere();
   drawObject();
+  $("too_fine").hidden = numbers.model.triangles.length > 0;
   drawBorders();
   takeHold(objectTable);
   takeHold(sphereTable, pickOnSphere);

@@ -19,7 +19,8 @@ std::string number_text(double value) {
 }
 
 std::string percent_text(double share) {
-  return fmt::format("{:.1f} %", 100 * share);
+  return share > 0 && share < 0.0005 ? fmt::format("{:.1g} %", 100 * share)
+                                     : fmt::format("{:.1f} %", 100 * share);
 }
 
 std::string row(std::string_view name, std::string_view value) {

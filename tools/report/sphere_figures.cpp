@@ -152,19 +152,25 @@ Eigen::Vector2d place_in(const SeenView& picture, const Camera& camera,
           lens.fy_px * at.y() / depth + lens.cy_px + 0.5 - picture.top_px};
 }
 
-std::string axes_drawn(const ReportContents& contents, double side) {
+// Round about a picture that stands in the middle of a square of side `within`, `side` large.
+std::string axes_drawn(const ReportContents& contents, double within, double side) {
   const Studio& studio = contents.studio;
   const SeenView& picture = contents.overview.picture;
   const Camera camera = camera_at(studio, picture.direction);
   const double scale = side / std::max(picture.width_px, picture.height_px);
-  const double reach_out = 1.15 * radius_around(contents.recipe.scene, studio.at);
+  const Eigen::Vector2d corner = (Eigen::Vector2d(within, within) -
+                                  scale * Eigen::Vector2d(picture.width_px, picture.height_px)) /
+                                 2;
+  const double reach = 1.2 * radius_around(contents.recipe.scene, studio.at);
   std::string drawn;
   for (const ObjectAxis& axis : contents.axes) {
-    const Eigen::Vector3d reach = reach_out * axis.direction;
-    const Eigen::Vector2d a = scale * place_in(picture, camera, studio.at - reach);
-    const Eigen::Vector2d b = scale * place_in(picture, camera, studio.at + reach);
+    const auto end = [&](double sign) {
+      return Eigen::Vector2d(
+          corner + scale * place_in(picture, camera, studio.at + sign * reach * axis.direction));
+    };
+    const Eigen::Vector2d a = end(-1), b = end(1);
     drawn += svg_line(a.x(), a.y(), b.x(), b.y(), "axis", "#c0392b", 1.6);
-    drawn += svg_text(b.x() + 4, b.y() - 4,
+    drawn += svg_text(b.x() + 5, b.y() + 3,
                       axis.fold == 0 ? std::string("any angle") : fmt::format("{}-fold", axis.fold),
                       {11});
   }
@@ -196,7 +202,7 @@ SvgFigure sphere_figure(const ReportContents& contents, const SphereMarks& marks
     figure.body += placed(half_figure(contents, contents.halves[k], marks),
                           static_cast<double>(k % 2) * (kWidth + 20),
                           static_cast<double>(k / 2) * kHeight, kWidth, kHeight);
-  figure.body += svg_text(figure.width / 2, figure.height - 8, title, {12, "middle", true});
+  figure.body += svg_text(figure.width / 2, figure.height - 8, title, {12, "middle", false, true});
   return figure;
 }
 
@@ -206,12 +212,15 @@ SvgFigure overview_figure(const ReportContents& contents) {
                    kSide + 24,
                    contents.model.index.statistics.object + " and its viewing sphere",
                    {}};
-  figure.body = inset(contents.overview.picture, 0, 0, kSide);
-  figure.body += "<g transform=\"translate(0 0)\">" + axes_drawn(contents, kSide) + "</g>";
+  // Axes reach beyond the object.
+  const double side = contents.axes.empty() ? kSide : 0.58 * kSide;
+  figure.body = inset(contents.overview.picture, (kSide - side) / 2, (kSide - side) / 2, side);
+  figure.body += axes_drawn(contents, kSide, side);
   SvgFigure sphere{kWidth, kWidth, {}, {}};
   sphere.body = sphere_drawn(contents, contents.overview.frame, {}, kRadius / kUnits);
   figure.body += placed(sphere, kSide + 20, 0, kSide, kSide);
-  figure.body += svg_text(figure.width / 2, figure.height - 6, figure.title, {12, "middle", true});
+  figure.body +=
+      svg_text(figure.width / 2, figure.height - 6, figure.title, {12, "middle", false, true});
   return figure;
 }
 

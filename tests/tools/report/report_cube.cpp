@@ -21,8 +21,8 @@ const CompileOptions& cube_options() {
   return options;
 }
 
-const CompiledModel& cube_model() {
-  static const Result<CompiledModel> model =
+const LearntModel& cube_model() {
+  static const Result<LearntModel> model =
       compile_model(cube_scene(), cube_options(), std::nullopt, {}, nullptr);
   REQUIRE(model.ok());
   return model.value();

@@ -8,6 +8,6 @@ namespace aspect {
 // A cube of six colours at level 3, its borders divided: 26 aspects in theory (thesis 4.3.1).
 const Scene& cube_scene();
 const CompileOptions& cube_options();
-const CompiledModel& cube_model();
+const LearntModel& cube_model();
 
 }  // namespace aspect

@@ -35,6 +35,7 @@ class AReport(unittest.TestCase):
         cls.html = (cls.folder / "report.html").read_text()
         cls.page = Browser(1280, 900).__enter__()
         cls.page.open((cls.folder / "report.html").as_uri())
+        cls.page.wait_for("return document.documentElement.dataset.readyMs")
 
     @classmethod
     def tearDownClass(cls):
@@ -84,6 +85,12 @@ class AReport(unittest.TestCase):
         before = self.page.run("return turn.flat()")
         self.page.drag("#sphere", -40, 60)
         self.assertNotEqual(before, self.page.run("return turn.flat()"))
+
+    def test_shows_every_tried_view_once(self):
+        self.assertEqual(self.page.run("return [...document.querySelectorAll('.cell[data-views]')]"
+                                       ".reduce((sum, cell) => sum + Number(cell.dataset.views), 0)"), 20)
+        # Of a direction on the rim two halves show it; 20 random ones are on none.
+        self.assertEqual(self.count("#halves .tried circle"), 3 * 20)
 
     def test_looks_from_where_a_spot_is_and_turns_back(self):
         self.page.run("lookFrom([0, 0, 1])")
