@@ -67,9 +67,10 @@ std::optional<Calibration> calibration_of(const Workshop& workshop, const Scene&
 
 }  // namespace
 
-Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
-                              const std::optional<std::filesystem::path>& store_path,
-                              const ShowProgress& show_progress, const std::atomic<bool>* stop) {
+Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& options,
+                                  const std::optional<std::filesystem::path>& store_path,
+                                  const ShowProgress& show_progress,
+                                  const std::atomic<bool>* stop) {
   StageClock clock;
   const int threads = options.jobs > 0 ? options.jobs : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -88,9 +89,9 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   const Result<Renderer> renderer = Renderer::create(scene);
   if (!renderer) return Error{scene.name + ": " + renderer.error()};
   const Workshop workshop{renderer.value(), scene.studio, options, nullptr, show, stop};
-  const Result<Subdivision> subdivided_sphere = subdivided(scene, scene_hash, store_path, workshop);
+  Result<Subdivision> subdivided_sphere = subdivided(scene, scene_hash, store_path, workshop);
   if (!subdivided_sphere) return Error{subdivided_sphere.error()};
-  const Subdivision& subdivision = subdivided_sphere.value();
+  Subdivision& subdivision = subdivided_sphere.value();
   statistics.subdivision = subdivision.statistics;
   clock.stage_s();
 
@@ -99,20 +100,20 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
     return Error{fmt::format(
         "{}: no patch of the viewing sphere is uniform at level {}; raise --level or --threshold",
         scene.name, options.level)};
-  const SphereClasses sphere_classes = divide_borders(subdivision, options, clusters);
+  SphereClasses sphere_classes = divide_borders(subdivision, options, clusters);
   if (stopped()) return interrupted;
   statistics.clusters = statistics_of(clusters);
   statistics.seconds.cluster = clock.stage_s();
   progress.clusters = clusters.size();
   show(progress);
 
-  const Symmetries symmetries = find_symmetries(workshop, subdivision);
+  Symmetries symmetries = find_symmetries(workshop, subdivision);
   statistics.symmetries = symmetries.rotations.size();
   statistics.symmetry_axes = symmetries.axes.size();
   statistics.symmetry_views = symmetries.views_rendered;
   statistics.seconds.symmetry = clock.stage_s();
 
-  const std::vector<TypeAttributes> types = find_contour_types(
+  std::vector<TypeAttributes> types = find_contour_types(
       contour_samples(subdivision, clusters), static_cast<std::size_t>(options.contour_types));
   std::vector<ClassDescription> classes;
   for (const Cluster& cluster : clusters)
@@ -131,7 +132,21 @@ Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
   if (stopped()) return interrupted;
   statistics.seconds.emit = clock.stage_s();
   statistics.seconds.total = clock.total_s();
-  return CompiledIndex{std::move(index.bytes), statistics};
+  return LearntModel{std::move(subdivision),
+                     std::move(clusters),
+                     std::move(sphere_classes),
+                     std::move(symmetries),
+                     std::move(types),
+                     std::move(classes),
+                     {std::move(index.bytes), statistics}};
+}
+
+Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
+                              const std::optional<std::filesystem::path>& store_path,
+                              const ShowProgress& show_progress, const std::atomic<bool>* stop) {
+  Result<LearntModel> model = compile_model(scene, options, store_path, show_progress, stop);
+  if (!model) return Error{model.error()};
+  return std::move(model.value().index);
 }
 
 }  // namespace aspect

@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "compiler/aspects/border_classes.h"
 #include "compiler/aspects/clusters.h"
 #include "compiler/aspects/compile_options.h"
 #include "compiler/aspects/subdivision.h"
+#include "compiler/aspects/symmetry.h"
+#include "compiler/index/class_model.h"
 #include "compiler/index/index_writer.h"
 #include "compiler/scene/scene.h"
 #include "runtime/base/result.h"
@@ -40,9 +43,25 @@ struct CompiledIndex {
   CompileStatistics statistics;
 };
 
+// An index with all that was learnt on the way to it: what reports show.
+struct LearntModel {
+  Subdivision subdivision;
+  std::vector<Cluster> clusters;
+  SphereClasses sphere_classes;
+  Symmetries symmetries;
+  std::vector<TypeAttributes> types;
+  std::vector<ClassDescription> classes;  // one a cluster; the index holds the first of them
+  CompiledIndex index;
+};
+
 // The whole compiler on one page: renders, subdivides, clusters, names, types, describes, writes.
 // With a store path the work so far is kept there and taken up again. The same scene and options
 // give the same bytes, for any number of threads and with or without a store.
+Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& options,
+                                  const std::optional<std::filesystem::path>& store_path,
+                                  const ShowProgress& show_progress, const std::atomic<bool>* stop);
+
+// The index alone.
 Result<CompiledIndex> compile(const Scene& scene, const CompileOptions& options,
                               const std::optional<std::filesystem::path>& store_path,
                               const ShowProgress& show_progress, const std::atomic<bool>* stop);

@@ -18,12 +18,13 @@ using Links = std::map<VertexId, std::vector<Link>>;
 
 class Clustering {
  public:
-  Clustering(const Subdivision& subdivision, const CompileOptions& options)
-      : subdivision_(subdivision), options_(options) {}
+  Clustering(const ViewSphere& sphere, const Subdivision& subdivision,
+             const CompileOptions& options)
+      : sphere_(sphere), subdivision_(subdivision), options_(options) {}
 
   std::vector<Cluster> run() {
-    const std::vector<PatchId> leaves = subdivision_.sphere.leaves();
-    waiting_.assign(subdivision_.sphere.patch_count(), false);
+    const std::vector<PatchId> leaves = sphere_.leaves();
+    waiting_.assign(sphere_.patch_count(), false);
     for (const PatchId leaf : leaves)
       waiting_[number(leaf)] = is_uniform(subdivision_, patch(leaf), options_.cluster_threshold);
     std::vector<Cluster> clusters;
@@ -43,7 +44,7 @@ class Clustering {
   }
 
  private:
-  const Patch& patch(PatchId id) const { return subdivision_.sphere.patch(id); }
+  const Patch& patch(PatchId id) const { return sphere_.patch(id); }
 
   Cluster grow(PatchId seed, Links& links) {
     Cluster cluster;
@@ -53,8 +54,8 @@ class Clustering {
       const PatchId at = open.back();
       open.pop_back();
       cluster.patches.push_back(at);
-      cluster.area_fraction += subdivision_.sphere.share(at);
-      for (const PatchId neighbour : subdivision_.sphere.neighbours(at)) {
+      cluster.area_fraction += sphere_.share(at);
+      for (const PatchId neighbour : sphere_.neighbours(at)) {
         if (!waiting_[number(neighbour)] || !match(at, neighbour, links)) continue;
         waiting_[number(neighbour)] = false;
         open.push_back(neighbour);
@@ -91,7 +92,7 @@ class Clustering {
   void collect_views(Cluster& cluster) const {
     std::map<VertexId, double> weights;
     for (const PatchId id : cluster.patches) {
-      const double third = subdivision_.sphere.area_sr(id) / (12 * std::numbers::pi);
+      const double third = sphere_.area_sr(id) / (12 * std::numbers::pi);
       for (const VertexId corner : patch(id).corners) weights[corner] += third;
     }
     for (const auto& [vertex, weight] : weights) cluster.views.push_back({vertex, weight, {}});
@@ -130,6 +131,7 @@ class Clustering {
     }
   }
 
+  const ViewSphere& sphere_;
   const Subdivision& subdivision_;
   const CompileOptions& options_;
   std::vector<bool> waiting_;  // uniform leaves that are in no cluster yet
@@ -147,7 +149,12 @@ ClusterStatistics statistics_of(const std::vector<Cluster>& clusters) {
 }
 
 std::vector<Cluster> find_clusters(const Subdivision& subdivision, const CompileOptions& options) {
-  return Clustering(subdivision, options).run();
+  return find_clusters(subdivision.sphere, subdivision, options);
+}
+
+std::vector<Cluster> find_clusters(const ViewSphere& sphere, const Subdivision& subdivision,
+                                   const CompileOptions& options) {
+  return Clustering(sphere, subdivision, options).run();
 }
 
 }  // namespace aspect

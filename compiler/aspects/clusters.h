@@ -36,4 +36,8 @@ ClusterStatistics statistics_of(const std::vector<Cluster>& clusters);
 // below small_cluster_fraction are left out. Largest first. Deterministic.
 std::vector<Cluster> find_clusters(const Subdivision& subdivision, const CompileOptions& options);
 
+// The same on a sphere of fewer levels, whose vertices are the subdivision's first.
+std::vector<Cluster> find_clusters(const ViewSphere& sphere, const Subdivision& subdivision,
+                                   const CompileOptions& options);
+
 }  // namespace aspect

@@ -8,8 +8,8 @@
 namespace aspect {
 namespace {
 
-// Closer key views than this do not make the answer better: measured in tools/bench/RESULTS.md.
-constexpr double kFinestSpacing_deg = 5, kCoarsestSpacing_deg = 60, kSpacingStep = 1.15;
+constexpr double kFinestSpacing_deg = kFinestKeyViewSpacing_deg, kCoarsestSpacing_deg = 60,
+                 kSpacingStep = 1.15;
 // A step leaves up to a quarter of the budget unused; halving the last one so often, 3 %.
 constexpr int kHalvings = 3;
 constexpr std::size_t kMostMapBytes = 16 * 1024;

@@ -10,6 +10,9 @@
 
 namespace aspect {
 
+// Closer key views than this do not make the answer better: measured in tools/bench/RESULTS.md.
+inline constexpr double kFinestKeyViewSpacing_deg = 5;
+
 struct IndexSelection {
   std::size_t class_count = 0;      // the first of the contents' classes
   double key_view_spacing_deg = 0;  // least angle between key views of a class

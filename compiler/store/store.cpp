@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include "compiler/store/sqlite_database.h"
@@ -129,6 +130,14 @@ Store::Store(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
+
+bool is_store(const std::filesystem::path& file) {
+  constexpr std::string_view kMagic = "SQLite format 3";
+  if (file.extension() == ".store") return true;
+  std::string begin(kMagic.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<long>(begin.size()));
+  return begin == kMagic;
+}
 
 Result<Store> Store::open(const std::filesystem::path& path, const StoreKey& key) {
   return outcome_of([&] { return Store(std::make_unique<State>(open_store_file(path, &key))); });

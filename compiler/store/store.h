@@ -47,6 +47,9 @@ struct StoreContents {
   std::vector<FinishedRun> runs;  // by level, min_level, threshold
 };
 
+// By its name or its first bytes.
+bool is_store(const std::filesystem::path& file);
+
 class Store {
  public:
   using Bytes = std::span<const std::byte>;

@@ -89,6 +89,26 @@ std::vector<double> piece_shares(const PatchDivision& division) {
   return shares;
 }
 
+std::vector<DivisionTriangle> division_triangles(const PatchDivision& division) {
+  const std::size_t count = division.places.size();
+  std::vector<DivisionTriangle> triangles;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double end = k + 1 < count ? division.places[k + 1] : division.places[0] + 3;
+    for (double at = division.places[k]; at < end;) {
+      const double to = std::min(std::floor(at) + 1, end);
+      const double turns = at >= 3 ? 3 : 0;
+      triangles.push_back({division.classes[k], at - turns, to - turns});
+      at = to;
+    }
+  }
+  return triangles;
+}
+
+Eigen::Vector3d division_middle(const PatchDivision& division) {
+  const Point at = middle(division);
+  return {1 - at.x() - at.y(), at.x(), at.y()};
+}
+
 std::int32_t class_at(const PatchDivision& division, const Eigen::Vector3d& barycentric) {
   if (division.places.size() < 2) return division.classes[0];
   const double place = exit_place(middle(division), {barycentric[1], barycentric[2]});

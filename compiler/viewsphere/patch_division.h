@@ -31,6 +31,17 @@ PatchDivision joined(const PatchDivision& along_edges);
 // The piece's share of the patch's area, by place. They sum to 1.
 std::vector<double> piece_shares(const PatchDivision& division);
 
+// The pieces as triangles, for drawing: each has one side on an edge of the patch, from a place to
+// a later one of the same edge, and its third corner in the middle. Together they are the patch.
+struct DivisionTriangle {
+  std::int32_t class_id = kNoClass;
+  double from = 0, to = 0;  // places; a corner that ends an edge is a whole number up to 3
+};
+std::vector<DivisionTriangle> division_triangles(const PatchDivision& division);
+
+// Barycentric coordinates of the middle.
+Eigen::Vector3d division_middle(const PatchDivision& division);
+
 // The class at a point given by its barycentric coordinates.
 std::int32_t class_at(const PatchDivision& division, const Eigen::Vector3d& barycentric);
 

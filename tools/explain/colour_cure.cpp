@@ -109,10 +109,15 @@ Result<Cure> try_changes(const Recipe& recipe, const std::vector<ColourChange>& 
   Scene scene = recipe.scene;
   for (const ColourChange& change : changes) paint(scene, faces.all[change.face], change.colour);
   CompileOptions options = recipe.options;
-  options.level = cure.level = std::min(options.level, settings.cure_level);
-  options.min_level = std::min(options.min_level, options.level);
   options.jobs = settings.jobs;
-  const Result<CompiledIndex> compiled = compile(scene, options, std::nullopt, {}, nullptr);
+  const auto compiled_at = [&](int level) {
+    options.level = cure.level = level;
+    options.min_level = std::min(recipe.options.min_level, level);
+    return compile(scene, options, std::nullopt, {}, nullptr);
+  };
+  Result<CompiledIndex> compiled = compiled_at(std::min(options.level, settings.cure_level));
+  // Of an object with much detail no patch is uniform at a low level.
+  while (!compiled && cure.level < recipe.options.level) compiled = compiled_at(cure.level + 1);
   if (!compiled) return Error{compiled.error()};
   Result<ClassIndex> index =
       parse_index(std::as_bytes(std::span(compiled.value().bytes)), scene.name);

@@ -36,21 +36,26 @@ Result<BackgroundPictures> pictures_for(const ExplainSettings& settings,
   return read_backgrounds(settings.backgrounds, kLongest_px);
 }
 
-}  // namespace
+std::vector<TriedView> tried_views(const std::vector<Trial>& trials) {
+  std::vector<TriedView> views;
+  for (const Trial& trial : trials) {
+    TriedView& view = views.emplace_back(TriedView{trial.outcome.direction,
+                                                   trial.outcome.right_class,
+                                                   {},
+                                                   trial.outcome.error_deg,
+                                                   trial.right_aspect,
+                                                   trial.is_wrong()});
+    if (trial.found) view.taken_for = trial.found_class;
+  }
+  return views;
+}
 
-Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
-                            const ExplainSettings& settings) {
-  CompileOptions options = recipe.options;
-  const Result<BackgroundPictures> pictures = pictures_for(settings, options.vision);
-  if (!pictures) return Error{pictures.error()};
-  options.jobs = settings.jobs;
-  const Result<CompiledIndex> compiled = compile(recipe.scene, options, store, {}, nullptr);
-  if (!compiled) return Error{compiled.error()};
-  Result<ClassIndex> index =
-      parse_index(std::as_bytes(std::span(compiled.value().bytes)), store.string());
-  if (!index) return Error{index.error()};
+Result<Explanation> put_to_test(ClassIndex index, const std::filesystem::path& store,
+                                const Recipe& recipe, const ExplainSettings& settings,
+                                const BackgroundPictures& pictures) {
+  const CompileOptions& options = recipe.options;
   const Result<EvaluatedObject> made =
-      EvaluatedObject::of(std::move(index).value(), store.string(), recipe.scene);
+      EvaluatedObject::of(std::move(index), store.string(), recipe.scene);
   if (!made) return Error{made.error()};
   const EvaluatedObject& object = made.value();
   const VisionParameters& vision = options.vision;
@@ -65,6 +70,7 @@ Result<Explanation> explain(const std::filesystem::path& store, const Recipe& re
   e.symmetries = object.index.symmetries;
   e.symmetry_axes = object.index.symmetry_axes;
   e.accuracy = accuracy_of(trials);
+  e.tried_views = tried_views(trials);
   for (const Trial& trial : trials) {
     if (trial.is_wrong()) ++e.wrong_views;
     if (!trial.is_wrong() && !trial.right_aspect) ++e.neighbour_views;
@@ -81,10 +87,10 @@ Result<Explanation> explain(const std::filesystem::path& store, const Recipe& re
   e.crowded = crowded_colours(object, recipe.scene, vision);
   std::vector<PaletteColour> paints = palette();
   if (!settings.backgrounds.empty()) {
-    paints = palette_before(pictures.value(), vision);
+    paints = palette_before(pictures, vision);
     const std::span<const PaletteColour> usable = paints;
-    e.backgrounds = background_colours(faces, pictures.value(),
-                                       usable.first(e.crowded ? 0 : paints.size()), vision);
+    e.backgrounds =
+        background_colours(faces, pictures, usable.first(e.crowded ? 0 : paints.size()), vision);
   }
   if (e.crowded) return e;
   const std::vector<ColourChange> changes =
@@ -94,6 +100,30 @@ Result<Explanation> explain(const std::filesystem::path& store, const Recipe& re
   if (!cure) return Error{cure.error()};
   e.cure = std::move(cure).value();
   return e;
+}
+
+}  // namespace
+
+Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,
+                            const ExplainSettings& settings) {
+  // Before anything that takes time.
+  const Result<BackgroundPictures> pictures = pictures_for(settings, recipe.options.vision);
+  if (!pictures) return Error{pictures.error()};
+  CompileOptions options = recipe.options;
+  options.jobs = settings.jobs;
+  const Result<CompiledIndex> compiled = compile(recipe.scene, options, store, {}, nullptr);
+  if (!compiled) return Error{compiled.error()};
+  Result<ClassIndex> index =
+      parse_index(std::as_bytes(std::span(compiled.value().bytes)), store.string());
+  if (!index) return Error{index.error()};
+  return put_to_test(std::move(index).value(), store, recipe, settings, pictures.value());
+}
+
+Result<Explanation> explain(ClassIndex index, const std::filesystem::path& store,
+                            const Recipe& recipe, const ExplainSettings& settings) {
+  const Result<BackgroundPictures> pictures = pictures_for(settings, recipe.options.vision);
+  if (!pictures) return Error{pictures.error()};
+  return put_to_test(std::move(index), store, recipe, settings, pictures.value());
 }
 
 }  // namespace aspect

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/recipe.h"
+#include "runtime/recognition/class_index.h"
 #include "tools/eval/wilson_interval.h"
 #include "tools/explain/colour_presence.h"
 
@@ -111,6 +112,16 @@ struct CrowdedColours {
   std::size_t enough = 0;  // so many show nearly all of the surface as it is
 };
 
+// One of the views that the model was tried on.
+struct TriedView {
+  Eigen::Vector3d direction{0, 0, 1};
+  std::int32_t aspect = 0;
+  std::optional<std::int32_t> taken_for;  // nothing: not found
+  double error_deg = 180;                 // of the answer's view, modulo symmetry
+  bool is_right = false;                  // the right aspect, modulo symmetry
+  bool is_wrong = false;                  // neither that nor a view within 20 degrees
+};
+
 struct Explanation {
   std::string object, store, scene_file;
   int views = 0;
@@ -118,6 +129,7 @@ struct Explanation {
   std::vector<std::array<float, 4>> symmetries;
   std::vector<std::array<float, 3>> symmetry_axes;
   Accuracy accuracy;
+  std::vector<TriedView> tried_views;
   std::size_t neighbour_views = 0;  // another aspect, but a view at most 20 degrees off
   std::size_t wrong_views = 0;      // farther off, or nothing found
   double blind_share = 0;           // of the sphere: no aspect covers it
@@ -131,6 +143,10 @@ struct Explanation {
   std::optional<BackgroundColours> backgrounds;  // where some were given
   Cure cure;                                     // without changes where none would help
 };
+
+// Puts the index that a recipe gave to the test.
+Result<Explanation> explain(ClassIndex index, const std::filesystem::path& store,
+                            const Recipe& recipe, const ExplainSettings& settings);
 
 // Makes the model of a store again, which renders nothing new, and puts it to the test.
 Result<Explanation> explain(const std::filesystem::path& store, const Recipe& recipe,

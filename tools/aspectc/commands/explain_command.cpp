@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/aspectc/commands/command_failure.h"
-#include "tools/aspectc/project/prepared_object.h"
+#include "tools/aspectc/project/store_recipe.h"
 
 namespace aspect {
 namespace {
@@ -36,13 +36,6 @@ constexpr const char* kKeys =
 Examples:
   aspectc explain part.store
   aspectc explain part.store --backgrounds photos --json)";
-
-Result<Recipe> recipe_of(const ExplainCommand& command) {
-  if (command.scene.empty()) return read_recipe(command.store);
-  const Result<Scene> scene = read_prepared_scene(command.scene);
-  if (!scene) return Error{scene.error()};
-  return read_recipe(command.store, scene.value());
-}
 
 }  // namespace
 
@@ -83,7 +76,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainCommand& command) {
 }
 
 int run_explain(const ExplainCommand& command) {
-  const Result<Recipe> recipe = recipe_of(command);
+  const Result<Recipe> recipe = recipe_of_store(command.store, command.scene);
   if (!recipe) return fail(recipe.error());
   const Result<Explanation> explanation = explain(command.store, recipe.value(), command.settings);
   if (!explanation) return fail(explanation.error());

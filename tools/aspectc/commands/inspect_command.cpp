@@ -9,6 +9,7 @@
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 
+#include "compiler/store/store.h"
 #include "runtime/recognition/class_index.h"
 #include "runtime/recognition/index_bundle.h"
 #include "runtime/service/recognition_json.h"

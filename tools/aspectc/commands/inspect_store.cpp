@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -43,14 +42,6 @@ void print_store(const StoreContents& contents, std::uintmax_t bytes) {
 }
 
 }  // namespace
-
-bool is_store(const std::filesystem::path& file) {
-  constexpr std::string_view kMagic = "SQLite format 3";
-  if (file.extension() == ".store") return true;
-  std::string begin(kMagic.size(), '\0');
-  std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<long>(begin.size()));
-  return begin == kMagic;
-}
 
 int run_inspect_store(const std::filesystem::path& file, bool as_json) {
   const Result<Store> store = Store::open_existing(file);

@@ -5,9 +5,6 @@
 
 namespace aspect {
 
-// By its name or its first bytes.
-bool is_store(const std::filesystem::path& file);
-
 // Exit code.
 int run_inspect_store(const std::filesystem::path& file, bool as_json);
 
