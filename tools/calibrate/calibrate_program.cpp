@@ -1,0 +1,34 @@
+#include "tools/calibrate/calibrate_program.h"
+
+#include <CLI/CLI.hpp>
+
+#include "tools/calibrate/commands/board_command.h"
+#include "tools/calibrate/commands/camera_command.h"
+#include "tools/calibrate/commands/command_end.h"
+
+namespace aspect {
+namespace {
+
+constexpr const char* kNotes = R"(In this order:
+  aspect-calibrate board -o board.pdf               print it, glue it to something flat
+  aspect-calibrate camera PICTURES -o camera.toml   pictures of the board
+)";
+
+}  // namespace
+
+int run_calibrate(int argc, const char* const* argv) {
+  CLI::App app("Measures a camera and its light for the other programs.", kCalibrateProgram);
+  app.set_version_flag("--version", "aspect-calibrate " ASPECT_VERSION);
+  BoardCommand board_command;
+  CLI::App* board = add_board_command(app, board_command);
+  CameraCommand camera_command;
+  CLI::App* camera = add_camera_command(app, camera_command);
+  // Last: a command would take it over.
+  app.footer(kNotes);
+  if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
+  if (board->parsed()) return run_board(board_command);
+  if (camera->parsed()) return run_camera(camera_command);
+  return end_misused("no command given; aspect-calibrate --help shows them");
+}
+
+}  // namespace aspect
