@@ -16,6 +16,9 @@ struct SeenBoard {
   bool empty() const { return numbers.empty(); }
 };
 
+// Four corners that are not in a line: others say nothing of the board's place.
+bool spans_an_area(const SeenBoard& seen, const Board& board);
+
 // Of 8 bits, grey. Empty where there is no board; a checkerboard must be seen as a whole, of a
 // ChArUco board as little as four corners that are not in a line.
 SeenBoard find_board(const cv::Mat& grey, const Board& board);

@@ -155,36 +155,48 @@ Result<CameraFit> fit_once(const std::vector<BoardPicture>& pictures, const Boar
   return fit;
 }
 
-// One corner far off draws its whole picture along: only the farthest ones of a picture go, and the
-// others are looked at again. A picture of which more than a few are off is bad as a whole, and
-// keeps them. `may_go`: of each. How many went.
-std::size_t drop_far_corners(const CameraFit& fit, std::vector<std::size_t>& may_go,
+// Whether each corner is within `far_px` of where a pose on which most of them agree has it, under
+// the fitted camera; empty where too few agree: a picture that is bad as a whole keeps its corners.
+std::vector<bool> agreeing_corners(const CameraFit& fit, const Board& board, const SeenBoard& seen,
+                                   double far_px) {
+  constexpr double kMost = 0.6;
+  constexpr int kTries = 200;
+  const auto on_board = points_on_board({{"", seen}}, board).front();
+  const CameraModel& m = fit.model;
+  const cv::Matx33d matrix(m.fx_px, 0, m.cx_px, 0, m.fy_px, m.cy_px, 0, 0, 1);
+  const cv::Vec<double, 5> bends(m.k1, m.k2, m.p1, m.p2, m.k3);
+  cv::Mat turn, shift, inside;
+  if (!cv::solvePnPRansac(on_board, seen.points, matrix, bends, turn, shift, false, kTries,
+                          static_cast<float>(far_px), 0.999, inside) ||
+      static_cast<double>(inside.total()) < kMost * static_cast<double>(seen.points.size()))
+    return {};
+  std::vector<bool> agree(seen.points.size());
+  for (int k = 0; k < static_cast<int>(inside.total()); ++k)
+    agree[static_cast<std::size_t>(inside.at<int>(k))] = true;
+  return agree;
+}
+
+// One corner far off draws its whole picture along. How many went.
+std::size_t drop_far_corners(const CameraFit& fit, const Board& board,
                              std::vector<BoardPicture>& pictures) {
-  constexpr double kFar = 6, kLeastFar_px = 0.4;
-  constexpr std::size_t kLeastCorners = 6;
-  std::vector<std::vector<double>> off(pictures.size());
-  std::vector<double> all;
-  for (std::size_t k = 0; k < pictures.size(); ++k)
-    for (std::size_t p = 0; p < pictures[k].seen.points.size(); ++p) {
-      off[k].push_back(cv::norm(pictures[k].seen.points[p] - fit.pictures[k].drawn[p]));
-      all.push_back(off[k].back());
-    }
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
-                   all.end());
-  const double far = std::max(kLeastFar_px, kFar * all[all.size() / 2]);
+  constexpr double kDoubtful = 2, kFar = 5, kLeastFar_px = 0.4;
+  std::vector<double> residuals;
+  for (const FittedPicture& picture : fit.pictures) residuals.push_back(picture.residual_px);
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
   std::size_t dropped = 0;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
+    if (fit.pictures[k].residual_px < kDoubtful * *middle) continue;
+    const std::vector<bool> agree =
+        agreeing_corners(fit, board, pictures[k].seen, std::max(kLeastFar_px, kFar * *middle));
     SeenBoard kept;
-    const double farthest = *std::max_element(off[k].begin(), off[k].end());
-    for (std::size_t p = 0; p < off[k].size(); ++p) {
-      if (off[k][p] > far && off[k][p] > farthest / 2) continue;
+    for (std::size_t p = 0; p < agree.size(); ++p) {
+      if (!agree[p]) continue;
       kept.numbers.push_back(pictures[k].seen.numbers[p]);
       kept.points.push_back(pictures[k].seen.points[p]);
     }
-    const std::size_t now = off[k].size() - kept.numbers.size();
-    if (kept.numbers.size() < kLeastCorners || now > may_go[k]) continue;
-    dropped += now;
-    may_go[k] -= now;
+    if (!spans_an_area(kept, board)) continue;
+    dropped += agree.size() - kept.numbers.size();
     pictures[k].seen = std::move(kept);
   }
   return dropped;
@@ -194,18 +206,13 @@ std::size_t drop_far_corners(const CameraFit& fit, std::vector<std::size_t>& may
 
 Result<CameraFit> fit_camera(std::vector<BoardPicture>& pictures, const Board& board,
                              cv::Size size) {
-  constexpr int kMostRounds = 6;
-  constexpr double kMayGo = 0.15;  // of a picture's corners
-  std::vector<std::size_t> may_go;
-  for (const BoardPicture& picture : pictures)
-    may_go.push_back(static_cast<std::size_t>(
-        std::ceil(kMayGo * static_cast<double>(picture.seen.numbers.size()))));
+  constexpr int kMostRounds = 4;
   std::size_t dropped = 0;
   for (int round = 0;; ++round) {
     Result<CameraFit> fit = fit_once(pictures, board, size);
     if (!fit) return fit;
     const std::size_t now =
-        round < kMostRounds ? drop_far_corners(fit.value(), may_go, pictures) : 0;
+        round < kMostRounds ? drop_far_corners(fit.value(), board, pictures) : 0;
     dropped += now;
     fit.value().dropped_corners = dropped;
     if (now == 0) return fit;

@@ -7,17 +7,6 @@
 namespace aspect {
 namespace {
 
-// Four corners in a line say nothing of the board's place.
-bool spans_an_area(const SeenBoard& seen, const Board& board) {
-  bool columns_differ = false, rows_differ = false;
-  for (const int number : seen.numbers) {
-    columns_differ |=
-        number % board.corner_columns() != seen.numbers.front() % board.corner_columns();
-    rows_differ |= number / board.corner_columns() != seen.numbers.front() / board.corner_columns();
-  }
-  return columns_differ && rows_differ;
-}
-
 // The saddle points alone leave a bias where a board is tilted: of ten sets of twelve pictures
 // (make_board_pictures) the worst focal length was 0.44 % off, and 0.08 % with this after it. The
 // window is as large as squares that are seen smallest allow.
@@ -51,11 +40,21 @@ SeenBoard find_checkerboard(const cv::Mat& grey, const Board& board) {
   return seen;
 }
 
-SeenBoard find_board(const cv::Mat& grey, const Board& board) {
+bool spans_an_area(const SeenBoard& seen, const Board& board) {
   constexpr std::size_t kLeast = 4;
+  bool columns_differ = false, rows_differ = false;
+  for (const int number : seen.numbers) {
+    columns_differ |=
+        number % board.corner_columns() != seen.numbers.front() % board.corner_columns();
+    rows_differ |= number / board.corner_columns() != seen.numbers.front() / board.corner_columns();
+  }
+  return columns_differ && rows_differ && seen.numbers.size() >= kLeast;
+}
+
+SeenBoard find_board(const cv::Mat& grey, const Board& board) {
   const SeenBoard seen = board.kind == Board::Kind::charuco ? find_charuco(grey, board)
                                                             : find_checkerboard(grey, board);
-  if (seen.numbers.size() < kLeast || !spans_an_area(seen, board)) return {};
+  if (!spans_an_area(seen, board)) return {};
   return seen;
 }
 
