@@ -4,6 +4,7 @@
 
 #include "tools/calibrate/commands/board_command.h"
 #include "tools/calibrate/commands/camera_command.h"
+#include "tools/calibrate/commands/colours_command.h"
 #include "tools/calibrate/commands/command_end.h"
 
 namespace aspect {
@@ -12,6 +13,7 @@ namespace {
 constexpr const char* kNotes = R"(In this order:
   aspect-calibrate board -o board.pdf               print it, glue it to something flat
   aspect-calibrate camera PICTURES -o camera.toml   pictures of the board
+  aspect-calibrate colours --scene part.b --index part.aspect --config camera.toml FRAMES -o part.toml
 )";
 
 }  // namespace
@@ -23,11 +25,14 @@ int run_calibrate(int argc, const char* const* argv) {
   CLI::App* board = add_board_command(app, board_command);
   CameraCommand camera_command;
   CLI::App* camera = add_camera_command(app, camera_command);
+  ColoursCommand colours_command;
+  CLI::App* colours = add_colours_command(app, colours_command);
   // Last: a command would take it over.
   app.footer(kNotes);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (board->parsed()) return run_board(board_command);
   if (camera->parsed()) return run_camera(camera_command);
+  if (colours->parsed()) return run_colours(colours_command);
   return end_misused("no command given; aspect-calibrate --help shows them");
 }
 

@@ -1,0 +1,170 @@
+// Idea: inside the drawn area of a surface, away from its borders, a frame shows nothing but the
+// surface. The median of the shares of its pixels is the surface's: shading changes no share, noise
+// is as often above as below, and highlights are few.
+#include "tools/calibrate/colours/surface_colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace aspect {
+namespace {
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Eigen::Vector3d rgb_at(const cv::Mat& picture, const cv::Point& p) {
+  const auto& pixel = picture.at<cv::Vec3b>(p);
+  return {static_cast<double>(pixel[2]), static_cast<double>(pixel[1]),
+          static_cast<double>(pixel[0])};
+}
+
+// Shares that add up to 1 again.
+Eigen::Vector3d median_share(const cv::Mat& picture, const std::vector<cv::Point>& pixels) {
+  Eigen::Vector3d share;
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<double> values;
+    for (const cv::Point& p : pixels) values.push_back(shares_of(rgb_at(picture, p))[channel]);
+    share[channel] = median(values);
+  }
+  return shares_of(share);
+}
+
+// Fills in what pixels say; false where they are too few.
+bool measure(const cv::Mat& picture, const std::vector<cv::Point>& all,
+             const SamplingParameters& parameters, PaintSample& sample) {
+  std::size_t cut_off = 0;
+  std::vector<double> brightness;
+  for (const cv::Point& p : all) {
+    const Eigen::Vector3d rgb = rgb_at(picture, p);
+    cut_off += rgb.maxCoeff() >= parameters.lightest;
+    if (rgb.maxCoeff() >= parameters.lightest || rgb.sum() < parameters.darkest_sum) continue;
+    sample.pixels.push_back(p);
+    brightness.push_back(rgb.mean());
+  }
+  if (sample.pixels.size() < parameters.least_pixels) return false;
+  sample.share = median_share(picture, sample.pixels);
+  sample.brightness = median(brightness);
+  sample.cut_off_share = static_cast<double>(cut_off) / static_cast<double>(all.size());
+  return true;
+}
+
+}  // namespace
+
+std::vector<PaintSample> sample_paints(const cv::Mat& picture, const cv::Mat& paints,
+                                       std::size_t paint_count, std::size_t frame,
+                                       const SamplingParameters& parameters) {
+  const cv::Mat distance = distance_to_border(paints);
+  std::vector<std::vector<cv::Point>> inner(paint_count);
+  for (int y = 0; y < paints.rows; ++y)
+    for (int x = 0; x < paints.cols; ++x) {
+      const int paint = paints.at<std::int16_t>(y, x);
+      if (paint >= 0 && double{distance.at<float>(y, x)} > parameters.rim_px)
+        inner[static_cast<std::size_t>(paint)].emplace_back(x, y);
+    }
+  std::vector<PaintSample> samples;
+  for (std::size_t paint = 0; paint < paint_count; ++paint) {
+    PaintSample sample;
+    sample.paint = static_cast<int>(paint);
+    sample.frame = frame;
+    if (measure(picture, inner[paint], parameters, sample)) samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+std::optional<PaintSample> sample_at(const cv::Mat& picture, cv::Point place, int paint,
+                                     std::size_t frame, const SamplingParameters& parameters) {
+  constexpr int kReach_px = 40, kSeed_px = 2, kRim_px = 2;
+  constexpr double kAlike = 0.04;  // of a share: what noise and a surface's own spread leave
+  const cv::Rect inside(0, 0, picture.cols, picture.rows);
+  if (!inside.contains(place)) return std::nullopt;
+  std::vector<cv::Point> seed;
+  for (int y = -kSeed_px; y <= kSeed_px; ++y)
+    for (int x = -kSeed_px; x <= kSeed_px; ++x)
+      if (const cv::Point p = place + cv::Point(x, y); inside.contains(p)) seed.push_back(p);
+  const Eigen::Vector3d wanted = median_share(picture, seed);
+  const cv::Rect around =
+      cv::Rect(place.x - kReach_px, place.y - kReach_px, 2 * kReach_px + 1, 2 * kReach_px + 1) &
+      inside;
+  cv::Mat alike(around.size(), CV_8U, cv::Scalar(0)), labels;
+  for (int y = 0; y < alike.rows; ++y)
+    for (int x = 0; x < alike.cols; ++x) {
+      const Eigen::Vector3d rgb = rgb_at(picture, cv::Point(x, y) + around.tl());
+      if ((shares_of(rgb) - wanted).cwiseAbs().maxCoeff() < kAlike)
+        alike.at<std::uint8_t>(y, x) = 255;
+    }
+  for (const cv::Point& p : seed) alike.at<std::uint8_t>(p - around.tl()) = 255;
+  cv::connectedComponents(alike, labels, 4);
+  const int label = labels.at<int>(place - around.tl());
+  cv::Mat piece = labels == label, eroded;
+  cv::erode(piece, eroded, cv::Mat::ones(2 * kRim_px + 1, 2 * kRim_px + 1, CV_8U));
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(eroded, pixels);
+  for (cv::Point& p : pixels) p += around.tl();
+  PaintSample sample;
+  sample.paint = paint;
+  sample.frame = frame;
+  SamplingParameters few = parameters;
+  few.least_pixels = 9;
+  if (pixels.size() < parameters.least_pixels) pixels = seed;
+  if (!measure(picture, pixels, few, sample)) return std::nullopt;
+  return sample;
+}
+
+std::vector<PaintColour> paint_colours(const std::vector<PaintSample>& samples,
+                                       std::size_t paint_count) {
+  std::vector<PaintColour> colours(paint_count);
+  for (std::size_t paint = 0; paint < paint_count; ++paint) {
+    PaintColour& colour = colours[paint];
+    std::vector<double> brightness, cut_off, distances;
+    std::array<std::vector<double>, 3> shares;
+    for (const PaintSample& sample : samples) {
+      if (sample.paint != static_cast<int>(paint)) continue;
+      ++colour.frames;
+      colour.pixels += sample.pixels.size();
+      brightness.push_back(sample.brightness);
+      cut_off.push_back(sample.cut_off_share);
+      for (int channel = 0; channel < 3; ++channel)
+        shares[static_cast<std::size_t>(channel)].push_back(sample.share[channel]);
+    }
+    if (colour.frames == 0) continue;
+    Eigen::Vector3d share;
+    for (int channel = 0; channel < 3; ++channel)
+      share[channel] = median(shares[static_cast<std::size_t>(channel)]);
+    colour.share = shares_of(share);
+    colour.brightness = median(brightness);
+    colour.cut_off_share = median(cut_off);
+    for (const PaintSample& sample : samples)
+      if (sample.paint == static_cast<int>(paint))
+        distances.push_back((sample.share - colour.share).cwiseAbs().maxCoeff());
+    colour.spread = median(distances);
+  }
+  return colours;
+}
+
+std::vector<double> light_changes(const std::vector<PaintSample>& samples,
+                                  const std::vector<PaintColour>& colours, std::size_t frames) {
+  constexpr double kLeastShare = 0.08;  // of a channel, below which noise is its ratio
+  std::vector<double> changes(frames, 1);
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    std::array<std::vector<double>, 2> against_green;  // of red and blue, as logarithms
+    for (const PaintSample& sample : samples) {
+      const Eigen::Vector3d& usual = colours[static_cast<std::size_t>(sample.paint)].share;
+      if (sample.frame != frame || usual.minCoeff() < kLeastShare ||
+          sample.share.minCoeff() < kLeastShare)
+        continue;
+      const Eigen::Vector3d gain = sample.share.cwiseQuotient(usual).array().log();
+      against_green[0].push_back(gain[0] - gain[1]);
+      against_green[1].push_back(gain[2] - gain[1]);
+    }
+    if (against_green[0].empty()) continue;
+    const double red = median(against_green[0]), blue = median(against_green[1]);
+    changes[frame] = std::exp(std::max({std::abs(red), std::abs(blue), std::abs(red - blue)}));
+  }
+  return changes;
+}
+
+}  // namespace aspect
