@@ -6,6 +6,7 @@
 #include "tools/calibrate/commands/camera_command.h"
 #include "tools/calibrate/commands/colours_command.h"
 #include "tools/calibrate/commands/command_end.h"
+#include "tools/calibrate/commands/noise_command.h"
 
 namespace aspect {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr const char* kNotes = R"(In this order:
   aspect-calibrate board -o board.pdf               print it, glue it to something flat
   aspect-calibrate camera PICTURES -o camera.toml   pictures of the board
+  aspect-calibrate noise FRAMES -o camera.toml      two frames or more of a scene at rest
   aspect-calibrate colours --scene part.b --index part.aspect --config camera.toml FRAMES -o part.toml
 )";
 
@@ -27,12 +29,15 @@ int run_calibrate(int argc, const char* const* argv) {
   CLI::App* camera = add_camera_command(app, camera_command);
   ColoursCommand colours_command;
   CLI::App* colours = add_colours_command(app, colours_command);
+  NoiseCommand noise_command;
+  CLI::App* noise = add_noise_command(app, noise_command);
   // Last: a command would take it over.
   app.footer(kNotes);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   if (board->parsed()) return run_board(board_command);
   if (camera->parsed()) return run_camera(camera_command);
   if (colours->parsed()) return run_colours(colours_command);
+  if (noise->parsed()) return run_noise(noise_command);
   return end_misused("no command given; aspect-calibrate --help shows them");
 }
 

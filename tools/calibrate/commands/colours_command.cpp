@@ -162,9 +162,17 @@ std::string surfaces_text(const Paint& paint) {
                      fmt::join(paint.surfaces, ", "));
 }
 
+// Under a light that changes, that colours differ between frames is no news.
+bool tells_of_white_balance(const std::vector<std::string>& warnings) {
+  return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("white_balance") != std::string::npos;
+  });
+}
+
 void add_colour_warnings(const std::vector<Paint>& paints, const std::vector<PaintColour>& colours,
                          int chroma_step, std::vector<std::string>& warnings) {
   constexpr double kCutOff = 0.2, kUneven = 0.03;
+  const bool light_changes = tells_of_white_balance(warnings);
   for (std::size_t p = 0; p < paints.size(); ++p) {
     const PaintColour& colour = colours[p];
     if (paints[p].textured) {
@@ -177,7 +185,7 @@ void add_colour_warnings(const std::vector<Paint>& paints, const std::vector<Pai
       warnings.push_back(fmt::format(
           "{}: {:.0f} % of its pixels are cut off at 255; lower exposure_time_absolute or gain",
           surfaces_text(paints[p]), 100 * colour.cut_off_share));
-    } else if (colour.spread > kUneven) {
+    } else if (colour.spread > kUneven && !light_changes) {
       warnings.push_back(fmt::format(
           "{}: its shares differ by {:.3f} between frames; light of two colours, or highlights",
           surfaces_text(paints[p]), colour.spread));
@@ -196,8 +204,7 @@ void add_light_warning(const Measured& measured, const std::vector<double>& chan
   constexpr double kChanged = 1.06;
   const auto most = std::max_element(changes.begin(), changes.end());
   if (most == changes.end() || *most < kChanged) return;
-  for (const std::string& warning : warnings)
-    if (warning.find("white_balance") != std::string::npos) return;
+  if (tells_of_white_balance(warnings)) return;
   warnings.push_back(white_balance_warning(
       *most, measured.names[static_cast<std::size_t>(most - changes.begin())], "the others"));
 }
