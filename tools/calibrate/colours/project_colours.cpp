@@ -42,12 +42,14 @@ std::string block_of(const Scene& scene, const std::vector<Paint>& paints,
     const auto paint = static_cast<std::size_t>(
         paint_by_surface(scene, paints)[static_cast<std::size_t>(surface.index)]);
     const PaintColour& colour = colours[paint];
+    const std::string source = colour.is_estimate
+                                   ? std::string("not seen, by the light on the others")
+                                   : fmt::format("+- {:.3f} in {} frames, {} pixels", colour.spread,
+                                                 colour.frames, colour.pixels);
     block += fmt::format(
-        "[[{}]]  # r g b of 1: {} +- {:.3f} in {} frames, {} pixels; {} before\nindex = {}\n"
-        "diffuse = {}\nambient = {}\n",
-        table, share_text(colour.share), colour.spread, colour.frames, colour.pixels,
-        share_text(shares_of(paints[paint].shown)), surface.index, vector_text(surface.diffuse),
-        vector_text(surface.ambient));
+        "[[{}]]  # r g b of 1: {} {}; {} before\nindex = {}\ndiffuse = {}\nambient = {}\n", table,
+        share_text(colour.share), source, share_text(shares_of(paints[paint].shown)), surface.index,
+        vector_text(surface.diffuse), vector_text(surface.ambient));
   }
   return block + std::string(kEnd);
 }
@@ -99,7 +101,7 @@ std::vector<NewSurface> new_surfaces(const Scene& scene, const std::vector<Paint
   if (scene.lights.empty()) lamps = scene.studio.ambient;
   std::vector<NewSurface> surfaces;
   for (std::size_t p = 0; p < paints.size(); ++p) {
-    if (colours[p].frames == 0 || paints[p].textured) continue;
+    if ((colours[p].frames == 0 && !colours[p].is_estimate) || paints[p].textured) continue;
     for (const int index : paints[p].surfaces) {
       const Surface& surface = scene.surfaces[static_cast<std::size_t>(index)];
       surfaces.push_back(

@@ -3,7 +3,9 @@
 // is as often above as below, and highlights are few.
 #include "tools/calibrate/colours/surface_colours.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -50,6 +52,37 @@ bool measure(const cv::Mat& picture, const std::vector<cv::Point>& all,
   sample.brightness = median(brightness);
   sample.cut_off_share = static_cast<double>(cut_off) / static_cast<double>(all.size());
   return true;
+}
+
+struct SharePair {
+  Eigen::Vector3d before, after;
+};
+
+// The gain of each channel, up to a common factor, that takes the shares before to those after,
+// each pair with a factor of its own: least squares of logarithms, which are as exact as their
+// shares are large. What the pairs do not say stays 1.
+Eigen::Vector3d light_gain(const std::vector<SharePair>& pairs) {
+  constexpr double kLeastShare = 0.02, kHold = 1e-3;
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3 + count, 3 + count);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(3 + count);
+  for (Eigen::Index k = 0; k < 3 + count; ++k) normal(k, k) = k < 3 ? kHold : 1e-9;
+  for (Eigen::Index p = 0; p < count; ++p)
+    for (Eigen::Index channel = 0; channel < 3; ++channel) {
+      const SharePair& pair = pairs[static_cast<std::size_t>(p)];
+      const double least = std::min(pair.before[channel], pair.after[channel]);
+      if (least < kLeastShare) continue;
+      const double weight = least * least,
+                   ratio = std::log(pair.after[channel] / pair.before[channel]);
+      normal(channel, channel) += weight;
+      normal(3 + p, 3 + p) += weight;
+      normal(channel, 3 + p) += weight;
+      normal(3 + p, channel) += weight;
+      right(channel) += weight * ratio;
+      right(3 + p) += weight * ratio;
+    }
+  const Eigen::VectorXd solution = normal.ldlt().solve(right);
+  return solution.head<3>().array().exp();
 }
 
 }  // namespace
@@ -147,24 +180,30 @@ std::vector<PaintColour> paint_colours(const std::vector<PaintSample>& samples,
 
 std::vector<double> light_changes(const std::vector<PaintSample>& samples,
                                   const std::vector<PaintColour>& colours, std::size_t frames) {
-  constexpr double kLeastShare = 0.08;  // of a channel, below which noise is its ratio
   std::vector<double> changes(frames, 1);
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    std::array<std::vector<double>, 2> against_green;  // of red and blue, as logarithms
-    for (const PaintSample& sample : samples) {
-      const Eigen::Vector3d& usual = colours[static_cast<std::size_t>(sample.paint)].share;
-      if (sample.frame != frame || usual.minCoeff() < kLeastShare ||
-          sample.share.minCoeff() < kLeastShare)
-        continue;
-      const Eigen::Vector3d gain = sample.share.cwiseQuotient(usual).array().log();
-      against_green[0].push_back(gain[0] - gain[1]);
-      against_green[1].push_back(gain[2] - gain[1]);
-    }
-    if (against_green[0].empty()) continue;
-    const double red = median(against_green[0]), blue = median(against_green[1]);
-    changes[frame] = std::exp(std::max({std::abs(red), std::abs(blue), std::abs(red - blue)}));
+    std::vector<SharePair> pairs;
+    for (const PaintSample& sample : samples)
+      if (sample.frame == frame)
+        pairs.push_back({colours[static_cast<std::size_t>(sample.paint)].share, sample.share});
+    const Eigen::Vector3d gain = light_gain(pairs).array().log();
+    changes[frame] = std::exp(gain.maxCoeff() - gain.minCoeff());
   }
   return changes;
+}
+
+void add_unseen(const std::vector<Paint>& paints, std::vector<PaintColour>& colours) {
+  constexpr std::size_t kLeast = 2;  // one surface says little of the light
+  std::vector<SharePair> pairs;
+  for (std::size_t p = 0; p < paints.size(); ++p)
+    if (colours[p].frames > 0) pairs.push_back({shares_of(paints[p].shown), colours[p].share});
+  if (pairs.size() < kLeast) return;
+  const Eigen::Vector3d gain = light_gain(pairs);
+  for (std::size_t p = 0; p < paints.size(); ++p) {
+    if (colours[p].frames > 0 || paints[p].textured) continue;
+    colours[p].share = shares_of(shares_of(paints[p].shown).cwiseProduct(gain));
+    colours[p].is_estimate = true;
+  }
 }
 
 }  // namespace aspect

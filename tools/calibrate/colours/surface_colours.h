@@ -48,11 +48,17 @@ struct PaintColour {
   double spread = 0;  // between frames: median of the largest channel's distances
   double brightness = 0;
   double cut_off_share = 0;
+  bool is_estimate = false;  // of one that is not seen, by the light on the others
 };
 
 // One of each paint, over the frames: medians, so that a wrong pose does no harm.
 std::vector<PaintColour> paint_colours(const std::vector<PaintSample>& samples,
                                        std::size_t paint_count);
+
+// Gives those that are not seen the scene's colour under the light that the others show, where
+// these are enough to say it: half the object in new colours and half in old ones has none that
+// fit.
+void add_unseen(const std::vector<Paint>& paints, std::vector<PaintColour>& colours);
 
 // How much the light's colour of each frame differs from all frames' by what surfaces show: the
 // largest ratio of two channels' gains; 1: not at all, or not known.

@@ -40,8 +40,8 @@ SURFACE,X,Y,FRAME, with the surface's number from 0 as in [[surface]] index, a p
 frame's number from 0 among those given. Surfaces of one colour are one.
 
 Keys of --json:
-  colours   surfaces, before, share (r, g, b), spread (between frames), brightness (0 to 255),
-            frames, pixels; share null: not seen
+  colours   surfaces, before, share (r, g, b), estimated (not seen: by the light on the others), spread
+            (between frames), brightness (0 to 255), frames, pixels; share null: not known
   frames    frame, found, probability, reprojection_px, light_change (of the ratio of two channels
             against all frames; 1: none)
   warnings  as on standard error)";
@@ -179,8 +179,9 @@ void add_colour_warnings(const std::vector<Paint>& paints, const std::vector<Pai
       warnings.push_back(surfaces_text(paints[p]) + ": have a texture, which is left as it is");
     } else if (colour.frames == 0) {
       warnings.push_back(
-          surfaces_text(paints[p]) +
-          ": not seen well enough in any frame, and left as it is; show it, lighter or nearer");
+          surfaces_text(paints[p]) + ": not seen well enough in any frame, and " +
+          (colour.is_estimate ? "estimated by the light on the others" : "left as it is") +
+          "; show it, lighter or nearer");
     } else if (colour.cut_off_share > kCutOff) {
       warnings.push_back(fmt::format(
           "{}: {:.0f} % of its pixels are cut off at 255; lower exposure_time_absolute or gain",
@@ -201,7 +202,7 @@ void add_colour_warnings(const std::vector<Paint>& paints, const std::vector<Pai
 
 void add_light_warning(const Measured& measured, const std::vector<double>& changes,
                        std::vector<std::string>& warnings) {
-  constexpr double kChanged = 1.06;
+  constexpr double kChanged = 1.12;
   const auto most = std::max_element(changes.begin(), changes.end());
   if (most == changes.end() || *most < kChanged) return;
   if (tells_of_white_balance(warnings)) return;
@@ -223,7 +224,9 @@ std::string colours_json(const Measured& measured, const std::vector<Paint>& pai
     json["colours"].push_back(
         {{"surfaces", paints[p].surfaces},
          {"before", numbers_of(shares_of(paints[p].shown))},
-         {"share", colours[p].frames > 0 ? numbers_of(colours[p].share) : Json(nullptr)},
+         {"share", colours[p].frames > 0 || colours[p].is_estimate ? numbers_of(colours[p].share)
+                                                                   : Json(nullptr)},
+         {"estimated", colours[p].is_estimate},
          {"spread", colours[p].spread},
          {"brightness", colours[p].brightness},
          {"frames", colours[p].frames},
@@ -247,9 +250,12 @@ std::string colours_text(const std::vector<Paint>& paints,
     const PaintColour& c = colours[p];
     const std::string name = fmt::format("{}", fmt::join(paints[p].surfaces, ","));
     text += fmt::format("{:<12}  {:.3f} {:.3f} {:.3f}  ", name, before.x(), before.y(), before.z());
-    text += c.frames == 0 ? std::string("not seen\n")
-                          : fmt::format("{:.3f} {:.3f} {:.3f}  {:.3f}  {:>6}  {:>6}\n", c.share.x(),
-                                        c.share.y(), c.share.z(), c.spread, c.frames, c.pixels);
+    text += !c.is_estimate && c.frames == 0 ? std::string("not seen\n")
+            : c.is_estimate
+                ? fmt::format("{:.3f} {:.3f} {:.3f}  not seen: by the light on the others\n",
+                              c.share.x(), c.share.y(), c.share.z())
+                : fmt::format("{:.3f} {:.3f} {:.3f}  {:.3f}  {:>6}  {:>6}\n", c.share.x(),
+                              c.share.y(), c.share.z(), c.spread, c.frames, c.pixels);
   }
   return text;
 }
@@ -333,7 +339,8 @@ int run_colours(const ColoursCommand& command) {
                                                    : measure_clicks(command, scene, paints);
   if (!result) return end_failed(result.error());
   Measured& measured = result.value();
-  const std::vector<PaintColour> colours = paint_colours(measured.samples, paints.size());
+  std::vector<PaintColour> colours = paint_colours(measured.samples, paints.size());
+  add_unseen(paints, colours);
   const std::vector<double> changes =
       light_changes(measured.samples, colours, measured.names.size());
   if (!measured.not_found.empty())
