@@ -196,11 +196,12 @@ void add_unseen(const std::vector<Paint>& paints, std::vector<PaintColour>& colo
   constexpr std::size_t kLeast = 2;  // one surface says little of the light
   std::vector<SharePair> pairs;
   for (std::size_t p = 0; p < paints.size(); ++p)
-    if (colours[p].frames > 0) pairs.push_back({shares_of(paints[p].shown), colours[p].share});
+    if (colours[p].frames > 0 && !paints[p].is_background)
+      pairs.push_back({shares_of(paints[p].shown), colours[p].share});
   if (pairs.size() < kLeast) return;
   const Eigen::Vector3d gain = light_gain(pairs);
   for (std::size_t p = 0; p < paints.size(); ++p) {
-    if (colours[p].frames > 0 || paints[p].textured) continue;
+    if (colours[p].frames > 0 || paints[p].textured || paints[p].is_background) continue;
     colours[p].share = shares_of(shares_of(paints[p].shown).cwiseProduct(gain));
     colours[p].is_estimate = true;
   }

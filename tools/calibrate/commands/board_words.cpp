@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
+#include <cmath>
 
 #include "tools/command_line/command_line.h"
 
@@ -43,7 +44,8 @@ Result<Board> board_of(const BoardWords& words) {
   if (!has_x || down.ec != std::errc() || down.ptr != end)
     return Error{"--squares " + text + ": give two numbers, as 10x7"};
   board.square_mm = words.square_mm;
-  board.marker_mm = words.marker_mm > 0 ? words.marker_mm : 0.72 * words.square_mm;
+  // To a tenth of a millimetre: people type it again.
+  board.marker_mm = words.marker_mm > 0 ? words.marker_mm : std::round(7.2 * words.square_mm) / 10;
   board.marker_side = words.marker_bits;
   return checked_board(board);
 }

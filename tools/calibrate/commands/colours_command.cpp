@@ -169,35 +169,48 @@ bool tells_of_white_balance(const std::vector<std::string>& warnings) {
   });
 }
 
+// Numbers of all surfaces of the paints that the question is answered with yes for; empty: of none.
+template <typename Question>
+std::string surfaces_where(const std::vector<Paint>& paints, Question&& is_one) {
+  Paint all;
+  for (std::size_t p = 0; p < paints.size(); ++p)
+    if (is_one(p))
+      all.surfaces.insert(all.surfaces.end(), paints[p].surfaces.begin(), paints[p].surfaces.end());
+  std::sort(all.surfaces.begin(), all.surfaces.end());
+  return all.surfaces.empty() ? std::string() : surfaces_text(all);
+}
+
 void add_colour_warnings(const std::vector<Paint>& paints, const std::vector<PaintColour>& colours,
                          int chroma_step, std::vector<std::string>& warnings) {
   constexpr double kCutOff = 0.2, kUneven = 0.03;
   const bool light_changes = tells_of_white_balance(warnings);
-  for (std::size_t p = 0; p < paints.size(); ++p) {
-    const PaintColour& colour = colours[p];
-    if (paints[p].textured) {
-      warnings.push_back(surfaces_text(paints[p]) + ": have a texture, which is left as it is");
-    } else if (colour.frames == 0) {
-      warnings.push_back(
-          surfaces_text(paints[p]) + ": not seen well enough in any frame, and " +
-          (colour.is_estimate ? "estimated by the light on the others" : "left as it is") +
-          "; show it, lighter or nearer");
-    } else if (colour.cut_off_share > kCutOff) {
-      warnings.push_back(fmt::format(
-          "{}: {:.0f} % of its pixels are cut off at 255; lower exposure_time_absolute or gain",
-          surfaces_text(paints[p]), 100 * colour.cut_off_share));
-    } else if (colour.spread > kUneven && !light_changes) {
-      warnings.push_back(fmt::format(
-          "{}: its shares differ by {:.3f} between frames; light of two colours, or highlights",
-          surfaces_text(paints[p]), colour.spread));
-    }
+  const auto add = [&](const std::string& surfaces, const std::string& what) {
+    if (!surfaces.empty()) warnings.push_back(surfaces + ": " + what);
+  };
+  add(surfaces_where(paints, [&](std::size_t p) { return paints[p].textured; }),
+      "a texture is left as it is");
+  add(surfaces_where(paints, [&](std::size_t p) { return colours[p].is_estimate; }),
+      "not seen well enough in any frame, and estimated by the light on the others; show them, "
+      "lighter "
+      "or nearer");
+  add(surfaces_where(paints,
+                     [&](std::size_t p) {
+                       return colours[p].frames == 0 && !colours[p].is_estimate &&
+                              !paints[p].textured && !paints[p].is_background;
+                     }),
+      "not seen well enough in any frame, and left as it is; show it, lighter or nearer");
+  add(surfaces_where(paints, [&](std::size_t p) { return colours[p].cut_off_share > kCutOff; }),
+      "many pixels are cut off at 255; lower exposure_time_absolute or gain");
+  if (!light_changes)
+    add(surfaces_where(paints, [&](std::size_t p) { return colours[p].spread > kUneven; }),
+        "shares differ by more than 0.03 between frames; light of two colours, or highlights");
+  for (std::size_t p = 0; p < paints.size(); ++p)
     for (std::size_t q = 0; q < p; ++q)
-      if (colour.frames > 0 && colours[q].frames > 0 &&
-          255 * (colour.share - colours[q].share).cwiseAbs().maxCoeff() < chroma_step)
+      if (colours[p].frames > 0 && colours[q].frames > 0 &&
+          255 * (colours[p].share - colours[q].share).cwiseAbs().maxCoeff() < chroma_step)
         warnings.push_back(
             surfaces_text(paints[q]) + " and " + surfaces_text(paints[p]) +
             ": have one colour under this light, and will be one region where they meet");
-  }
 }
 
 void add_light_warning(const Measured& measured, const std::vector<double>& changes,
@@ -250,7 +263,8 @@ std::string colours_text(const std::vector<Paint>& paints,
     const PaintColour& c = colours[p];
     const std::string name = fmt::format("{}", fmt::join(paints[p].surfaces, ","));
     text += fmt::format("{:<12}  {:.3f} {:.3f} {:.3f}  ", name, before.x(), before.y(), before.z());
-    text += !c.is_estimate && c.frames == 0 ? std::string("not seen\n")
+    text += !c.is_estimate && c.frames == 0
+                ? std::string(paints[p].is_background ? "background: too dark\n" : "not seen\n")
             : c.is_estimate
                 ? fmt::format("{:.3f} {:.3f} {:.3f}  not seen: by the light on the others\n",
                               c.share.x(), c.share.y(), c.share.z())
@@ -334,7 +348,8 @@ int run_colours(const ColoursCommand& command) {
   const Result<PreparedObject> object = read_prepared_object(command.scene);
   if (!object) return end_failed(object.error());
   const Scene& scene = object.value().scene;
-  const std::vector<Paint> paints = paints_of(scene);
+  const int intensity_min = object.value().settings.options.vision.intensity_min;
+  const std::vector<Paint> paints = paints_of(scene, intensity_min);
   Result<Measured> result = command.clicks.empty() ? measure_by_pose(command, scene, paints)
                                                    : measure_clicks(command, scene, paints);
   if (!result) return end_failed(result.error());

@@ -266,7 +266,8 @@ int run_segmentation(const SegmentationCommand& command) {
   const Result<KnownObject> object =
       known_object(command.index, command.configuration, scene.value());
   if (!object) return end_failed(object.error());
-  Result<SurfaceMapper> mapper = SurfaceMapper::create(scene.value(), paints_of(scene.value()));
+  Result<SurfaceMapper> mapper = SurfaceMapper::create(
+      scene.value(), paints_of(scene.value(), object.value().indexes.front().vision.intensity_min));
   if (!mapper) return end_failed(mapper.error());
   const Result<std::vector<ReadFrame>> read = read_posed(command, object.value());
   if (!read) return end_failed(read.error());

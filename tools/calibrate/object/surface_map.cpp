@@ -39,7 +39,7 @@ Eigen::Vector3d shares_of(const Eigen::Vector3d& colour) {
   return sum > 0 ? Eigen::Vector3d(colour / sum) : Eigen::Vector3d::Constant(1.0 / 3);
 }
 
-std::vector<Paint> paints_of(const Scene& scene) {
+std::vector<Paint> paints_of(const Scene& scene, int intensity_min) {
   constexpr double kSame = 1e-6;
   std::vector<bool> used(scene.surfaces.size());
   for (const Primitive& primitive : scene.primitives)
@@ -54,7 +54,8 @@ std::vector<Paint> paints_of(const Scene& scene) {
     for (Paint& paint : paints)
       if (!textured && !paint.textured && (paint.shown - shown).cwiseAbs().maxCoeff() < kSame)
         same = &paint;
-    if (same == nullptr) same = &paints.emplace_back(Paint{{}, shown, textured});
+    if (same == nullptr)
+      same = &paints.emplace_back(Paint{{}, shown, textured, 255 * shown.sum() < intensity_min});
     same->surfaces.push_back(static_cast<int>(k));
   }
   return paints;
@@ -73,8 +74,10 @@ Result<SurfaceMapper> SurfaceMapper::create(const Scene& scene, const std::vecto
   if (!renderer) return Error{scene.file + ": " + renderer.error()};
   const std::vector<int> by_surface = paint_by_surface(scene, paints);
   std::vector<int> by_primitive;
-  for (const Primitive& primitive : scene.primitives)
-    by_primitive.push_back(by_surface[static_cast<std::size_t>(primitive.surface)]);
+  for (const Primitive& primitive : scene.primitives) {
+    const int paint = by_surface[static_cast<std::size_t>(primitive.surface)];
+    by_primitive.push_back(paints[static_cast<std::size_t>(paint)].is_background ? -1 : paint);
+  }
   return SurfaceMapper(std::move(renderer).value(), std::move(by_primitive));
 }
 

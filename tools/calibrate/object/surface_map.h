@@ -15,10 +15,12 @@ struct Paint {
   std::vector<int> surfaces;       // places in Scene::surfaces
   Eigen::Vector3d shown{0, 0, 0};  // as the scene shows it: ambient or diffuse colour, 0 to 1
   bool textured = false;
+  bool is_background = false;  // too dark to be told from it
 };
 
-// Of the surfaces that primitives have, in the order of the scene's.
-std::vector<Paint> paints_of(const Scene& scene);
+// Of the surfaces that primitives have, in the order of the scene's. Dark: r + g + b below
+// intensity_min.
+std::vector<Paint> paints_of(const Scene& scene, int intensity_min);
 // The place of a surface's paint, by place of the surface; -1 where no primitive has it.
 std::vector<int> paint_by_surface(const Scene& scene, const std::vector<Paint>& paints);
 
@@ -29,8 +31,8 @@ class SurfaceMapper {
  public:
   static Result<SurfaceMapper> create(const Scene& scene, const std::vector<Paint>& paints);
 
-  // CV_16S, the frame's size: the place of the paint that is seen, -1: not the object. The lens is
-  // bent as the frame's is.
+  // CV_16S, the frame's size: the place of the paint that is seen, -1: not the object, or a paint
+  // that is background. The lens is bent as the frame's is.
   cv::Mat paints(const PosedFrame& frame);
   // Likewise, but of primitives: those of one paint that meet at an edge are told apart. 0: none.
   cv::Mat primitives(const PosedFrame& frame);
