@@ -47,18 +47,20 @@ cv::Mat draw_samples(const cv::Mat& picture, const cv::Mat& map, const std::vect
     frame.setTo(cv::Scalar(255, 255, 255), borders);
   }
   for (const PaintSample& sample : samples) hatch(frame, sample);
+  int x = 8;
   for (std::size_t p = 0; p < paints.size(); ++p) {
-    const int x = 8 + static_cast<int>(p) * (kSwatch_px + 8), y = picture.rows + 6;
+    const int y = picture.rows + 6;
     const auto seen = std::find_if(samples.begin(), samples.end(), [&](const PaintSample& sample) {
       return sample.paint == static_cast<int>(p);
     });
+    if (seen == samples.end()) continue;
     cv::rectangle(drawn, {x, y, kSwatch_px / 2, kBar_px - 16},
                   swatch_colour(shares_of(paints[p].shown)), cv::FILLED);
-    if (seen != samples.end())
-      cv::rectangle(drawn, {x + kSwatch_px / 2, y, kSwatch_px / 2, kBar_px - 16},
-                    swatch_colour(seen->share), cv::FILLED);
+    cv::rectangle(drawn, {x + kSwatch_px / 2, y, kSwatch_px / 2, kBar_px - 16},
+                  swatch_colour(seen->share), cv::FILLED);
     cv::rectangle(drawn, {x - 2, y - 2, kSwatch_px + 3, kBar_px - 12},
                   id_colour(static_cast<int>(p)), 2);
+    x += kSwatch_px + 8;
   }
   draw_text(frame, caption, {8, 8}, fitted(text_style_for(frame.size()), caption, frame.cols - 16));
   return drawn;

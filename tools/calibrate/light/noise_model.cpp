@@ -45,7 +45,7 @@ using Differences = std::array<std::vector<float>, kBins>;
 // Brightness by brightness, since a dark background may stand still while all else moves. False
 // where nothing does.
 bool add_differences(const cv::Mat& a, const cv::Mat& b, Differences& bins) {
-  constexpr float kStill = 12;  // grey values that noise seldom reaches
+  constexpr float kStill = 24;  // grey values: noise of 12 keeps within it for four pixels of five
   constexpr double kLeastStill = 0.7;
   if (a.size() != b.size()) return false;
   Differences own;
@@ -75,12 +75,19 @@ bool add_differences(const cv::Mat& a, const cv::Mat& b, Differences& bins) {
   return true;
 }
 
+// Without those near black and white, where large differences are missing: one of the two would be
+// cut off.
 std::vector<NoisePoint> points_of(const Differences& bins) {
+  constexpr double kReach = 3;  // deviations
   std::vector<NoisePoint> points;
-  for (std::size_t bin = 0; bin < bins.size(); ++bin)
-    if (bins[bin].size() >= kLeastPixels)
-      points.push_back({(static_cast<double>(bin) + 0.5) * kBinWidth,
-                        clipped_variance(bins[bin]) / 2, bins[bin].size()});
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+    if (bins[bin].size() < kLeastPixels) continue;
+    const double value = (static_cast<double>(bin) + 0.5) * kBinWidth,
+                 variance = clipped_variance(bins[bin]) / 2;
+    const double room = 2 * std::min(value - kDarkest, kLightest - value);
+    if (room > kReach * std::sqrt(2 * variance))
+      points.push_back({value, variance, bins[bin].size()});
+  }
   return points;
 }
 
