@@ -16,9 +16,11 @@ constexpr const char* kNotes = R"(In this order:
   aspect-calibrate board -o board.pdf               print it, glue it to something flat
   aspect-calibrate camera PICTURES -o camera.toml   pictures of the board
   aspect-calibrate noise FRAMES -o camera.toml      two frames or more of a scene at rest
-  aspect-calibrate colours --scene part.b --index part.aspect --config camera.toml FRAMES -o part.toml
+  aspect-calibrate colours --scene part.b --index part.aspect --config camera.toml FRAMES
+                           -o part.toml
   aspectc part.toml -o part.aspect                  in the colours that the camera sees
-  aspect-calibrate segmentation --scene part.toml --index part.aspect --config camera.toml FRAMES -o camera.toml
+  aspect-calibrate segmentation --scene part.toml --index part.aspect --config camera.toml FRAMES
+                                -o camera.toml
 Each command has its own --help.)";
 
 }  // namespace

@@ -24,12 +24,12 @@ namespace aspect {
 namespace {
 
 constexpr const char* kColoursNotes =
-    R"(A designer's colours differ from what a camera sees by up to 0.15 in the shares of red, green and blue,
-those of one setting by 0.01 to 0.05. So: lock white balance, exposure and gain; take three to ten
-frames in which the object, compiled in the colours that it has, is found, each surface in one at
-least; and compile it again in the colours that are written:
+    R"(A designer's colours differ from what a camera sees by up to 0.15 in the shares of red, green and
+blue, those of one setting by 0.01 to 0.05. So: lock white balance, exposure and gain; take three to
+ten frames in which the object, compiled in the colours that it has, is found, each surface in one
+at least; and compile it again in the colours that are written:
   aspectc part.b -o part.aspect
-  aspect-calibrate colours --scene part.b --index part.aspect --config camera.toml frames/ -o part.toml
+  aspect-calibrate colours --scene part.b --index part.aspect --config cam.toml frames -o part.toml
   aspectc part.toml -o part.aspect
 
 -o writes a project: of a scene a new one; of a project the same one (it may be the same file) with
@@ -40,8 +40,8 @@ SURFACE,X,Y,FRAME, with the surface's number from 0 as in [[surface]] index, a p
 frame's number from 0 among those given. Surfaces of one colour are one.
 
 Keys of --json:
-  colours   surfaces, before, share (r, g, b), estimated (not seen: by the light on the others), spread
-            (between frames), brightness (0 to 255), frames, pixels; share null: not known
+  colours   surfaces, before, share (r, g, b), estimated (not seen: by the light on the others),
+            spread (between frames), brightness (0 to 255), frames, pixels; share null: not known
   frames    frame, found, probability, reprojection_px, light_change (of the ratio of two channels
             against all frames; 1: none)
   warnings  as on standard error)";

@@ -22,13 +22,13 @@ namespace aspect {
 namespace {
 
 constexpr const char* kNoiseNotes =
-    R"(Best are two to ten frames of anything, of all brightnesses, with camera and scene at rest, not
-compressed: what differs between them is noise. Without such a pair flat places within the frames are
-measured, which takes fine texture for noise and JPEG's flattening for its absence.
+    R"(Best are two to ten frames of anything, of all brightnesses, with camera and scene at rest,
+not compressed: what differs between them is noise. Without such a pair flat places within the
+frames are measured, which takes fine texture for noise and JPEG's flattening for its absence.
 
 What uses it: [segmentation] noise_steps, which the compiler reads as well as the runtime. It is the
-least with which noise parts no surface, from intensity_min up, with the other values of --config; -o
-puts it into FILE.toml, a configuration or a project; what else the file says stays.
+least with which noise parts no surface, from intensity_min up, with the other values of --config;
+-o puts it into FILE.toml, a configuration or a project; what else the file says stays.
 
 Keys of --json:
   constant, per_grey  variance of a channel of value v (0 to 255): constant + per_grey * v

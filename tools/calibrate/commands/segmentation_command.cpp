@@ -25,11 +25,11 @@ namespace aspect {
 namespace {
 
 constexpr const char* kSegmentationNotes =
-    R"(Of every frame in which the object is found, the model at its pose says which regions there should be.
-Every second frame is searched for values with which there are; the others decide: values are proposed
-where they are better there by more than 0.01 and twice the standard error, and the object is found
-as often as before. Ten frames and more, from several sides; with colours first (aspect-calibrate
-colours), and calibrated.
+    R"(Of every frame in which the object is found, the model at its pose says which regions there
+should be. Every second frame is searched for values with which there are; the others decide: values
+are proposed where they are better there by more than 0.01 and twice the standard error, and the
+object is found as often as before. Give ten frames and more, from several sides, of a calibrated
+camera, after its colours (aspect-calibrate colours).
 
 -o puts the values into [segmentation] of FILE.toml, a configuration or a project; what else it says
 stays. What is changed for the camera should be changed for the compiler, too.
