@@ -18,6 +18,30 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
+struct Weighted {
+  double value = 0, weight = 0;
+};
+
+// The value with half of the weight on either side.
+double weighted_median(std::vector<Weighted>& values) {
+  std::sort(values.begin(), values.end(),
+            [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  double all = 0, below = 0;
+  for (const Weighted& one : values) all += one.weight;
+  for (const Weighted& one : values) {
+    below += one.weight;
+    if (2 * below >= all) return one.value;
+  }
+  return values.back().value;
+}
+
+// Of a frame's word on a surface: black level and noise are the larger a part of its shares the
+// darker it is, and pixels of a frame share the frame's faults.
+double weight_of(const PaintSample& sample) {
+  return std::sqrt(static_cast<double>(sample.pixels.size())) * sample.brightness *
+         sample.brightness;
+}
+
 Eigen::Vector3d rgb_at(const cv::Mat& picture, const cv::Point& p) {
   const auto& pixel = picture.at<cv::Vec3b>(p);
   return {static_cast<double>(pixel[2]), static_cast<double>(pixel[1]),
@@ -152,23 +176,25 @@ std::vector<PaintColour> paint_colours(const std::vector<PaintSample>& samples,
   std::vector<PaintColour> colours(paint_count);
   for (std::size_t paint = 0; paint < paint_count; ++paint) {
     PaintColour& colour = colours[paint];
-    std::vector<double> brightness, cut_off, distances;
-    std::array<std::vector<double>, 3> shares;
+    std::vector<double> cut_off, distances;
+    std::vector<Weighted> brightness;
+    std::array<std::vector<Weighted>, 3> shares;
     for (const PaintSample& sample : samples) {
       if (sample.paint != static_cast<int>(paint)) continue;
       ++colour.frames;
       colour.pixels += sample.pixels.size();
-      brightness.push_back(sample.brightness);
+      brightness.push_back({sample.brightness, weight_of(sample)});
       cut_off.push_back(sample.cut_off_share);
       for (int channel = 0; channel < 3; ++channel)
-        shares[static_cast<std::size_t>(channel)].push_back(sample.share[channel]);
+        shares[static_cast<std::size_t>(channel)].push_back(
+            {sample.share[channel], weight_of(sample)});
     }
     if (colour.frames == 0) continue;
     Eigen::Vector3d share;
     for (int channel = 0; channel < 3; ++channel)
-      share[channel] = median(shares[static_cast<std::size_t>(channel)]);
+      share[channel] = weighted_median(shares[static_cast<std::size_t>(channel)]);
     colour.share = shares_of(share);
-    colour.brightness = median(brightness);
+    colour.brightness = weighted_median(brightness);
     colour.cut_off_share = median(cut_off);
     for (const PaintSample& sample : samples)
       if (sample.paint == static_cast<int>(paint))

@@ -51,7 +51,8 @@ struct PaintColour {
   bool is_estimate = false;  // of one that is not seen, by the light on the others
 };
 
-// One of each paint, over the frames: medians, so that a wrong pose does no harm.
+// One of each paint, over the frames: medians, so that a wrong pose does no harm, in which frames
+// that show it lighter and larger weigh more.
 std::vector<PaintColour> paint_colours(const std::vector<PaintSample>& samples,
                                        std::size_t paint_count);
 

@@ -13,8 +13,9 @@ namespace aspect {
 namespace {
 
 constexpr const char* kBoardNotes =
-    R"(Print at 100 %, not "fit to page", and hold a ruler to the line below the board. Glue the paper
-to something flat and stiff: a bent board is the largest error there is. Matt paper shows no lamps.
+    R"(Print at 100 %, not "fit to page", and hold a ruler to the line below the board. Glue the
+paper to something flat and stiff: a bent board is the largest error there is. Matt paper shows
+no lamps.
 
 Examples:
   aspect-calibrate board -o board.pdf

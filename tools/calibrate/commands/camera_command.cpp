@@ -22,11 +22,11 @@ namespace aspect {
 namespace {
 
 constexpr const char* kCameraNotes =
-    R"(Take 10 to 20 pictures with the lens, focus and size of picture that the camera will have: focus
-locked (focus_automatic_continuous = 0), the board as large as a third of the picture and more, near
-each of the picture's corners in some, and tilted by 20 to 40 degrees to all sides. A checkerboard
-must be seen as a whole. Move the board or the camera, and hold still. Of videos, frames that show the board
-where it was already are passed over.
+    R"(Take 10 to 20 pictures with the lens, focus and size of picture that the camera will have:
+focus locked (focus_automatic_continuous = 0), the board as large as a third of the picture and
+more, near each of the picture's corners in some, and tilted by 20 to 40 degrees to all sides. A
+checkerboard must be seen as a whole. Move the board or the camera, and hold still. Of videos,
+frames that show the board where it was already are passed over.
 
 -o writes [camera] into FILE.toml, for --config of every program; what else the file says stays.
 Without it, the table is printed.

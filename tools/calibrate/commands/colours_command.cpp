@@ -24,10 +24,10 @@ namespace aspect {
 namespace {
 
 constexpr const char* kColoursNotes =
-    R"(A designer's colours differ from what a camera sees by up to 0.15 in the shares of red, green and
-blue, those of one setting by 0.01 to 0.05. So: lock white balance, exposure and gain; take three to
-ten frames in which the object, compiled in the colours that it has, is found, each surface in one
-at least; and compile it again in the colours that are written:
+    R"(A designer's colours differ from what a camera sees by up to 0.15 in the shares of red,
+green and blue, those of one setting by 0.01 to 0.05. So: lock white balance, exposure and gain;
+take three to ten frames in which the object, compiled in the colours that it has, is found, each
+surface in one at least; and compile it again in the colours that are written:
   aspectc part.b -o part.aspect
   aspect-calibrate colours --scene part.b --index part.aspect --config cam.toml frames -o part.toml
   aspectc part.toml -o part.aspect
