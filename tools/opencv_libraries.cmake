@@ -1,6 +1,7 @@
 # The parts of OpenCV that are used, by the names that its own CMake file gives them. That file wants
 # every part installed, 87 MB and 119 packages more. Videos are read where videoio is found;
-# calib3d is for a test alone.
+# boards and
+# lenses are measured where calib3d is.
 find_path(OpenCV_INCLUDE_DIRS opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
 foreach(part core imgproc imgcodecs videoio calib3d)
   find_library(ASPECT_OPENCV_${part} opencv_${part})

@@ -18,6 +18,7 @@ demo_packages=(
 )
 build_packages=(
   libopencv-videoio-dev                                  # videos as frames
+  libopencv-calib3d-dev                                  # boards and lenses: aspect-calibrate's
   libv4l-dev                                             # the camera's: formats that are not ours
   libmosquitto-dev libcpp-httplib-dev libssl-dev libgpiod-dev  # the daemon's outputs
   libbenchmark-dev                                       # aspect-bench's
@@ -29,7 +30,6 @@ test_packages=(
   mandoc zsh                                             # which read manual pages and completions
   chromium chromium-driver                              # which read pages
   libdxflib-dev                                          # whose colours ours are compared with
-  libopencv-calib3d-dev                                  # whose lens ours is compared with
   povray                                                 # the renderer that ours is compared with
   mosquitto                                              # the broker that MQTT is tested with
   g++-aarch64-linux-gnu g++-arm-linux-gnueabihf          # what boards run is compiled with these

@@ -12,7 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ("aspectc", "aspect-replay", "aspectd", "aspect-eval", "aspect-report", "aspect-score", "aspect-bench")
+PROGRAMS = ("aspectc", "aspect-replay", "aspectd", "aspect-eval", "aspect-report", "aspect-score", "aspect-bench",
+            "aspect-calibrate")
 
 
 def blocks(text):
@@ -40,6 +41,8 @@ def unknown_options(text, programs):
             continue
         call = (words[0],)
         if words[0] == "aspectc" and len(words) > 1 and words[1] in ("init", "doctor", "convert", "explain", "render", "inspect", "models-info"):
+            call = tuple(words[:2])
+        if words[0] == "aspect-calibrate" and len(words) > 1 and words[1] in ("board", "camera", "colours", "noise", "segmentation"):
             call = tuple(words[:2])
         if call not in helps:
             helps[call] = subprocess.run([programs / call[0], *call[1:], "--help"], text=True,
