@@ -66,6 +66,7 @@ class Camera::Link {
   Result<CameraPlan> check();
   CameraEvent next(std::chrono::milliseconds timeout, int wake_descriptor) noexcept;
   const CameraPlan& plan() const { return plan_; }
+  void adopt_controls(const std::vector<CameraControl>& controls) { settings_.controls = controls; }
 
  private:
   using Time = V4l2Calls::Time;
@@ -83,7 +84,7 @@ class Camera::Link {
   CameraEvent hand_out() noexcept;
   CameraEvent event(CameraEvent::Kind kind) const noexcept;
 
-  const CameraSettings settings_;
+  CameraSettings settings_;
   V4l2Calls& calls_;
   const DeviceFolders folders_;
 
@@ -305,6 +306,10 @@ Result<CameraPlan> Camera::check() {
 
 CameraEvent Camera::next(std::chrono::milliseconds timeout, int wake_descriptor) noexcept {
   return link_->next(timeout, wake_descriptor);
+}
+
+void Camera::adopt_controls(const std::vector<CameraControl>& controls) {
+  link_->adopt_controls(controls);
 }
 
 const CameraPlan& Camera::plan() const {

@@ -78,6 +78,10 @@ class Camera {
   // frames. wake_descriptor: -1, or what else to wait for; it comes before frames.
   [[nodiscard]] CameraEvent next(std::chrono::milliseconds timeout, int wake_descriptor) noexcept;
 
+  // Somebody else has set the controls so: from now on they are what is set when the camera is
+  // started anew.
+  void adopt_controls(const std::vector<CameraControl>& controls);
+
   // Of the last time that it was streaming.
   [[nodiscard]] const CameraPlan& plan() const;
 

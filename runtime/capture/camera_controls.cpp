@@ -4,106 +4,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <optional>
 #include <string_view>
 
 #include "runtime/base/nearest_word.h"
-#include "runtime/capture/v4l2_text.h"
+#include "runtime/capture/camera_control_list.h"
 
 namespace aspect {
 namespace {
-
-constexpr int kMaxControls = 1024;
-
-struct KnownControl {
-  std::string name;
-  v4l2_query_ext_ctrl query{};
-};
-
-// As an older kernel knows it.
-int query_old(V4l2Calls& calls, int descriptor, v4l2_query_ext_ctrl& query) {
-  v4l2_queryctrl old{};
-  old.id = query.id;
-  const int error = calls.ioctl(descriptor, VIDIOC_QUERYCTRL, &old);
-  if (error != 0) return error;
-  query = {};
-  query.id = old.id;
-  query.type = old.type;
-  std::memcpy(query.name, old.name, sizeof old.name);
-  query.minimum = old.minimum;
-  query.maximum = old.maximum;
-  query.step = static_cast<__u64>(std::max(old.step, 0));
-  query.flags = old.flags;
-  return 0;
-}
-
-std::vector<KnownControl> list_controls(V4l2Calls& calls, int descriptor) {
-  std::vector<KnownControl> known;
-  std::uint32_t last = 0;
-  for (int k = 0; k < kMaxControls; ++k) {
-    KnownControl control;
-    control.query.id = last | V4L2_CTRL_FLAG_NEXT_CTRL;
-    int error = calls.ioctl(descriptor, VIDIOC_QUERY_EXT_CTRL, &control.query);
-    if (error == ENOTTY) {
-      control.query = {};
-      control.query.id = last | V4L2_CTRL_FLAG_NEXT_CTRL;
-      error = query_old(calls, descriptor, control.query);
-    }
-    if (error != 0 || control.query.id <= last) break;
-    last = control.query.id;
-    if (control.query.type == V4L2_CTRL_TYPE_CTRL_CLASS ||
-        (control.query.flags & V4L2_CTRL_FLAG_DISABLED) != 0)
-      continue;
-    control.name = control_name(v4l2_text(control.query.name));
-    known.push_back(std::move(control));
-  }
-  return known;
-}
-
-bool is_number(std::uint32_t type) {
-  switch (type) {
-    case V4L2_CTRL_TYPE_INTEGER:
-    case V4L2_CTRL_TYPE_BOOLEAN:
-    case V4L2_CTRL_TYPE_MENU:
-    case V4L2_CTRL_TYPE_BUTTON:
-    case V4L2_CTRL_TYPE_INTEGER64:
-    case V4L2_CTRL_TYPE_BITMASK:
-    case V4L2_CTRL_TYPE_INTEGER_MENU:
-      return true;
-    default:
-      return false;
-  }
-}
-
-int transfer_wide(V4l2Calls& calls, int descriptor, unsigned long request, std::uint32_t id,
-                  std::int64_t& value) {
-  v4l2_ext_control control{};
-  control.id = id;
-  control.value64 = value;
-  v4l2_ext_controls all{};
-  all.which = V4L2_CTRL_ID2WHICH(id);
-  all.count = 1;
-  all.controls = &control;
-  const int error = calls.ioctl(descriptor, request, &all);
-  value = control.value64;
-  return error;
-}
-
-// `set` puts `value` there; either way it is what the driver says afterwards.
-int transfer(V4l2Calls& calls, int descriptor, const v4l2_query_ext_ctrl& query, bool set,
-             std::int64_t& value) {
-  if (query.type == V4L2_CTRL_TYPE_INTEGER64)
-    return transfer_wide(calls, descriptor, set ? VIDIOC_S_EXT_CTRLS : VIDIOC_G_EXT_CTRLS, query.id,
-                         value);
-  const bool mask = query.type == V4L2_CTRL_TYPE_BITMASK;
-  v4l2_control control{};
-  control.id = query.id;
-  control.value = static_cast<std::int32_t>(value);
-  const int error = calls.ioctl(descriptor, set ? VIDIOC_S_CTRL : VIDIOC_G_CTRL, &control);
-  value = mask ? std::int64_t{static_cast<std::uint32_t>(control.value)} : control.value;
-  return error;
-}
 
 std::string unknown_line(const std::string& name, std::span<const KnownControl> known) {
   std::vector<std::string_view> names;
@@ -131,7 +38,8 @@ std::int64_t within_limits(const CameraControl& wanted, const v4l2_query_ext_ctr
 
 // What can be said about a control before it is touched; empty: nothing.
 const char* obstacle(const v4l2_query_ext_ctrl& query) {
-  if (!is_number(query.type) || query.nr_of_dims != 0) return "is not a number and stays as it is";
+  if (!is_number_control(query.type) || query.nr_of_dims != 0)
+    return "is not a number and stays as it is";
   if ((query.flags & V4L2_CTRL_FLAG_READ_ONLY) != 0) return "can only be read";
   if ((query.flags & V4L2_CTRL_FLAG_GRABBED) != 0) return "is held by another program";
   return nullptr;
@@ -155,7 +63,7 @@ void read_back(V4l2Calls& calls, int descriptor, const SetControl& control,
     warnings.push_back(name + " has no effect now: switch off, before it, the automatic above it");
   if ((control.query.flags & V4L2_CTRL_FLAG_WRITE_ONLY) != 0) return;
   std::int64_t value = 0;
-  if (transfer(calls, descriptor, control.query, false, value) != 0) {
+  if (transfer_control(calls, descriptor, control.query, false, value) != 0) {
     warnings.push_back(name + " cannot be read back");
     return;
   }
@@ -188,13 +96,13 @@ CameraFault set_controls(V4l2Calls& calls, int descriptor, std::span<const Camer
     }
     if (const char* why = obstacle(found->query)) {
       warnings.push_back(wanted.name + " " + why);
-      if (!is_number(found->query.type) || found->query.nr_of_dims != 0) continue;
+      if (!is_number_control(found->query.type) || found->query.nr_of_dims != 0) continue;
       set.push_back({&wanted, found->query, 0, true});
       continue;
     }
     std::int64_t value = within_limits(wanted, found->query, warnings);
     const std::int64_t asked = value;
-    const int error = transfer(calls, descriptor, found->query, true, value);
+    const int error = transfer_control(calls, descriptor, found->query, true, value);
     if (error == ENODEV) return call_fault("VIDIOC_S_CTRL", error);
     if (error != 0)
       warnings.push_back("the camera refuses " + wanted.name + " = " + std::to_string(asked) +

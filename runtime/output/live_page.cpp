@@ -1,24 +1,42 @@
 #include "runtime/output/live_page.h"
 
 #include <httplib.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <semaphore>
 #include <thread>
 
 #include "runtime/output/listener.h"
-#include "runtime/output/live_page_html.h"
 #include "runtime/output/output_thread.h"
-#include "runtime/output/preview_picture.h"
+#include "runtime/output/page_files.h"
+#include "runtime/output/page_guard.h"
 
 namespace aspect {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::seconds kPatience{1};
+// Who takes an answer in drops is given up.
+constexpr std::chrono::seconds kMostPatience{5};
 // Browsers open connections that they may need later: one of them must not block the page.
-constexpr std::size_t kThreads = 4;
+constexpr std::size_t kThreads = 6;
 // The library reads headers with std::regex, which needs a lot where they are long.
 constexpr std::size_t kStackBytes = 8U << 20U;
+constexpr std::size_t kPieceBytes = 64U << 10U;
+
+// What the page takes time for, frames need not wait for where there is one processor only.
+void be_modest() {
+  constexpr int kMoreNice = 10;
+  thread_local const int done = [] {
+    const auto self = static_cast<id_t>(::gettid());
+    return ::setpriority(PRIO_PROCESS, self, ::getpriority(PRIO_PROCESS, self) + kMoreNice);
+  }();
+  static_cast<void>(done);
+}
 
 // Connections that are more than can be served soon wait in the kernel, not in our memory.
 class FewAtOnce final : public httplib::ThreadPool {
@@ -27,6 +45,7 @@ class FewAtOnce final : public httplib::ThreadPool {
   void enqueue(std::function<void()> serve) override {
     free_.acquire();
     ThreadPool::enqueue([this, serve = std::move(serve)] {
+      be_modest();
       serve();
       free_.release();
     });
@@ -44,28 +63,37 @@ std::optional<std::uint64_t> number_in(const httplib::Request& request, const ch
   return number;
 }
 
-// The host's name in a URL's authority, without port.
-std::string host_of(const std::string& authority) {
-  const std::size_t end = authority.starts_with('[') ? authority.find(']') : authority.find(':');
-  return authority.starts_with('[') ? authority.substr(1, end - 1) : authority.substr(0, end);
+PageRequest page_request(const httplib::Request& request) {
+  PageRequest asked;
+  asked.changes = request.method != "GET" && request.method != "HEAD";
+  asked.host = request.get_header_value("Host");
+  asked.origin = request.get_header_value("Origin");
+  asked.fetch_site = request.get_header_value("Sec-Fetch-Site");
+  asked.content_type = request.get_header_value("Content-Type");
+  asked.content_length = request.get_header_value("Content-Length");
+  asked.transfer_encoding = request.get_header_value("Transfer-Encoding");
+  asked.content_encoding = request.get_header_value("Content-Encoding");
+  asked.token = request.get_header_value("Aspect-Token");
+  return asked;
 }
 
 class ServedPage final : public LivePage {
  public:
-  ServedPage(const LineRing& ring, const OutputCounters& counters)
-      : ring_(ring), counters_(counters) {}
+  ServedPage(const LineRing& ring, const OutputCounters& counters, PageDesk* desk)
+      : ring_(ring), counters_(counters), desk_(desk) {}
   ~ServedPage() override { server_.stop(); }
 
   std::optional<Error> start(const HttpOutput& settings) {
     const auto address = numeric_address("http", settings.address, settings.port);
     if (!address) return Error{address.error()};
-    loopback_ = settings.address.starts_with("127.") || settings.address == "::1";
+    address_ = settings.address;
+    guard_ = PageGuard(settings.address, desk_ != nullptr ? random_token() : "");
     server_.new_task_queue = [] { return new FewAtOnce; };
     server_.set_keep_alive_max_count(1);
     server_.set_keep_alive_timeout(kPatience.count());
     server_.set_read_timeout(kPatience);
     server_.set_write_timeout(kPatience);
-    server_.set_payload_max_length(0);
+    server_.set_payload_max_length(PageGuard::kMostBodyBytes);
     server_.set_tcp_nodelay(true);
     // The library would share a port with other processes.
     server_.set_socket_options([](int socket) {
@@ -88,54 +116,65 @@ class ServedPage final : public LivePage {
     return std::nullopt;
   }
 
-  bool wants_picture() const noexcept override { return picture_.wanted(); }
-  void show_picture(const Frame& frame) noexcept override {
-    picture_.show(frame, ring_.published());
-  }
   int port() const override { return port_; }
+  std::string address() const override {
+    const bool every = address_ == "0.0.0.0" || address_ == "::";
+    const bool colons = address_.find(':') != std::string::npos;
+    const std::string host = every ? "localhost" : colons ? "[" + address_ + "]" : address_;
+    const std::string fragment = guard_.token().empty() ? "" : "#token=" + guard_.token();
+    return "http://" + host + ":" + std::to_string(port_) + "/" + fragment;
+  }
 
  private:
   using Request = httplib::Request;
   using Response = httplib::Response;
 
   void route() {
-    server_.set_default_headers({{"Cache-Control", "no-store"},
-                                 {"X-Content-Type-Options", "nosniff"},
-                                 {"Content-Security-Policy",
-                                  "default-src 'none'; img-src 'self' blob: data:; connect-src "
-                                  "'self'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
-                                  "frame-ancestors 'none'"}});
+    server_.set_default_headers(
+        {{"Cache-Control", "no-store"},
+         {"X-Content-Type-Options", "nosniff"},
+         {"Referrer-Policy", "no-referrer"},
+         {"Cross-Origin-Resource-Policy", "same-origin"},
+         {"Cross-Origin-Opener-Policy", "same-origin"},
+         {"Content-Security-Policy",
+          "default-src 'none'; img-src 'self' blob: data:; connect-src 'self'; style-src 'self'; "
+          "script-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}});
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
-      if (!loopback_ || is_local(request)) return httplib::Server::HandlerResponse::Unhandled;
-      response.status = 403;
+      const auto refusal = guard_.refusal(page_request(request));
+      if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+      response.status = refusal->status;
+      response.set_content(std::string(refusal->reason) + "\n", "text/plain");
       return httplib::Server::HandlerResponse::Handled;
     });
-    server_.Get("/", [](const Request&, Response& response) {
-      response.set_content(kLivePageHtml.data(), kLivePageHtml.size(), "text/html; charset=utf-8");
-    });
-    server_.Get("/picture\\.bmp", [this](const Request& request, Response& response) {
-      send_picture(request, response);
-    });
+    for (const PageFile& file : page_files())
+      server_.Get(std::string(file.path), [&file](const Request&, Response& response) {
+        response.set_content(file.text.data(), file.text.size(), std::string(file.type));
+      });
     server_.Get("/line", [this](const Request& request, Response& response) {
       send_line(request, response);
     });
+    if (desk_ == nullptr) return;
+    server_.Get("/state",
+                [this](const Request&, Response& response) { send(desk_->state(), response); });
+    server_.Get("/view", [this](const Request& request, Response& response) {
+      send(desk_->view(number_in(request, "after")), response);
+    });
+    server_.Post("/act/([a-z]+)", [this](const Request& request, Response& response) {
+      send(desk_->act(request.matches[1].str(), request.body), response);
+    });
   }
 
-  // A name that somebody else made resolve to this machine must not show the picture to a page of
-  // theirs (DNS rebinding).
-  static bool is_local(const Request& request) {
-    const std::string host = host_of(request.get_header_value("Host"));
-    return host == "localhost" || host == "::1" || host.starts_with("127.");
-  }
-
-  void send_picture(const Request& request, Response& response) {
-    auto picture = picture_.fetch(number_in(request, "after"));
-    if (!picture) {
-      response.status = 204;
-      return;
-    }
-    response.set_header("Aspect-Line", std::to_string(picture->line));
-    response.set_content(std::move(picture->bmp), "image/bmp");
+  static void send(const PageAnswer& answer, Response& response) {
+    response.status = answer.status;
+    if (!answer.body) return;
+    const auto started = Clock::now();
+    response.set_content_provider(
+        answer.body->size(), std::string(answer.type),
+        [body = answer.body, started](std::size_t offset, std::size_t length,
+                                      httplib::DataSink& sink) {
+          return Clock::now() - started < kMostPatience &&
+                 sink.write(body->data() + offset, std::min(length, kPieceBytes));
+        });
   }
 
   void send_line(const Request& request, Response& response) {
@@ -160,10 +199,11 @@ class ServedPage final : public LivePage {
 
   const LineRing& ring_;
   const OutputCounters& counters_;
-  PreviewPicture picture_;
+  PageDesk* desk_;
+  PageGuard guard_;
   httplib::Server server_;
+  std::string address_;
   int port_ = 0;
-  bool loopback_ = true;
   OutputThread thread_;  // last: it ends before what it uses
 };
 
@@ -174,8 +214,8 @@ std::optional<Error> check_http() {
 }
 
 Result<std::unique_ptr<LivePage>> open_live_page(const HttpOutput& settings, const LineRing& ring,
-                                                 const OutputCounters& counters) {
-  auto page = std::make_unique<ServedPage>(ring, counters);
+                                                 const OutputCounters& counters, PageDesk* desk) {
+  auto page = std::make_unique<ServedPage>(ring, counters, desk);
   if (auto error = page->start(settings)) return *error;
   return std::unique_ptr<LivePage>(std::move(page));
 }

@@ -7,7 +7,7 @@ std::optional<Error> check_http() {
 }
 
 Result<std::unique_ptr<LivePage>> open_live_page(const HttpOutput&, const LineRing&,
-                                                 const OutputCounters&) {
+                                                 const OutputCounters&, PageDesk*) {
   return *check_http();
 }
 

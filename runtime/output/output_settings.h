@@ -31,6 +31,7 @@ struct MqttOutput {
 struct HttpOutput {
   std::string address = "127.0.0.1";  // numeric
   int port = 8080;                    // 0: any that is free
+  std::filesystem::path record{};     // folder for frames recorded from the page; empty: none
   friend bool operator==(const HttpOutput&, const HttpOutput&) = default;
 };
 // What happens when an object is seen, and again when it is no longer.

@@ -29,10 +29,10 @@ struct Outputs::Parts {
     outputs.push_back(std::move(opened).value());
     return std::nullopt;
   }
-  std::optional<Error> open(const OutputSettings& settings);
+  std::optional<Error> open(const OutputSettings& settings, PageDesk* desk);
 };
 
-std::optional<Error> Outputs::Parts::open(const OutputSettings& settings) {
+std::optional<Error> Outputs::Parts::open(const OutputSettings& settings, PageDesk* desk) {
   if (settings.standard_output || settings.unix_socket || settings.tcp) {
     auto opened = StreamOutput::open(settings, ring, counters);
     if (opened) streams = opened.value().get();
@@ -43,7 +43,7 @@ std::optional<Error> Outputs::Parts::open(const OutputSettings& settings) {
   if (settings.mqtt)
     if (auto error = take(open_mqtt_output(*settings.mqtt, ring, counters))) return error;
   if (settings.http) {
-    auto opened = open_live_page(*settings.http, ring, counters);
+    auto opened = open_live_page(*settings.http, ring, counters, desk);
     if (!opened) return Error{opened.error()};
     page = std::move(opened).value();
   }
@@ -73,10 +73,10 @@ std::optional<Error> Outputs::check(const OutputSettings& settings) {
   return std::nullopt;
 }
 
-Result<std::unique_ptr<Outputs>> Outputs::open(const OutputSettings& settings) {
+Result<std::unique_ptr<Outputs>> Outputs::open(const OutputSettings& settings, PageDesk* desk) {
   if (auto error = check(settings)) return *error;
   std::unique_ptr<Outputs> outputs(new Outputs());
-  if (auto error = outputs->parts_->open(settings)) return *error;
+  if (auto error = outputs->parts_->open(settings, desk)) return *error;
   return outputs;
 }
 
@@ -98,14 +98,6 @@ void Outputs::report_seen(std::span<const SeenName> seen) noexcept {
   if (parts_->triggers) parts_->triggers->report_seen(seen);
 }
 
-bool Outputs::wants_picture() const noexcept {
-  return parts_->page && parts_->page->wants_picture();
-}
-
-void Outputs::show_picture(const Frame& frame) noexcept {
-  if (parts_->page) parts_->page->show_picture(frame);
-}
-
 OutputCounts Outputs::counts() const noexcept {
   const OutputCounters& counters = parts_->counters;
   return {parts_->ring.published(), counters.readers.load(),    counters.readers_dropped,
@@ -118,6 +110,10 @@ int Outputs::tcp_port() const {
 
 int Outputs::http_port() const {
   return parts_->page ? parts_->page->port() : 0;
+}
+
+std::string Outputs::http_address() const {
+  return parts_->page ? parts_->page->address() : std::string();
 }
 
 }  // namespace aspect

@@ -8,11 +8,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "runtime/base/result.h"
 #include "runtime/output/output_settings.h"
-#include "runtime/vision/frame.h"
+#include "runtime/output/page_desk.h"
 
 namespace aspect {
 
@@ -42,8 +43,10 @@ class Outputs {
 
   // Opens everything, takes all memory and starts the threads that write, at ordinary priority.
   // One line where something cannot be had, or is not in this build. Two with the same socket, port
-  // or file cannot be open at once.
-  [[nodiscard]] static Result<std::unique_ptr<Outputs>> open(const OutputSettings& settings);
+  // or file cannot be open at once. `desk` stands behind the page and outlives it; null: the page
+  // shows lines only.
+  [[nodiscard]] static Result<std::unique_ptr<Outputs>> open(const OutputSettings& settings,
+                                                             PageDesk* desk = nullptr);
   // Writes what can be written at once, up to a second, and closes.
   ~Outputs();
 
@@ -54,15 +57,12 @@ class Outputs {
   // same promise.
   void report_seen(std::span<const SeenName> seen) noexcept;
 
-  // A page is open that shows pictures: the loop may then hand frames over, scaled down and copied
-  // at once, before it publishes the frame's line. Same thread, same promise.
-  [[nodiscard]] bool wants_picture() const noexcept;
-  void show_picture(const Frame& frame) noexcept;
-
   [[nodiscard]] OutputCounts counts() const noexcept;
   // Where readers connect to; 0: there is no such output.
   [[nodiscard]] int tcp_port() const;
   [[nodiscard]] int http_port() const;
+  // Of the page, with its token; empty: there is none.
+  [[nodiscard]] std::string http_address() const;
 
  private:
   Outputs();

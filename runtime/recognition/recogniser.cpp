@@ -59,6 +59,7 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   indexes_ = indexes;
   parameters_ = parameters;
   parameters_.top = std::clamp(parameters.top, 1, kMaxHypotheses);
+  has_room_for_one_ = parameters.vision.one_blob;
   vision_.prepare(arena, width_px, height_px, parameters_.vision.sensor);
   class_matcher_.prepare(arena, indexes);
   bounds_.prepare(arena, indexes);
@@ -80,6 +81,13 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   pose_search_.prepare(arena, indexes);
   if (looks_anywhere()) scene_search_.prepare(arena, indexes, has_limit());
   if (tracks()) tracker_.prepare(arena, indexes, parameters_.tracking);
+}
+
+bool Recogniser::cut_with(const VisionParameters& vision) noexcept {
+  if (vision.sensor != parameters_.vision.sensor || (has_room_for_one_ && !vision.one_blob))
+    return false;
+  parameters_.vision = vision;
+  return true;
 }
 
 Recognition Recogniser::recognise(const Frame& frame, int steps) noexcept {

@@ -121,6 +121,11 @@ class Recogniser {
   // the last call, for tracking; 2 where one was not seen.
   Recognition recognise(const Frame& frame, int steps = 1) noexcept;
 
+  // From the next frame on pictures are cut so. Allocates nothing, and leaves what is followed as
+  // it is. False, and nothing has changed, where that needs other memory: for another sensor, or
+  // for more than the one blob that was prepared for.
+  [[nodiscard]] bool cut_with(const VisionParameters& vision) noexcept;
+
   const RegionMap& regions() const { return vision_.regions(); }
   // Of the last frame: its pixels, and the camera that each index's objects were looked for with.
   const Planes& colours() const { return vision_.colours(); }
@@ -153,6 +158,7 @@ class Recogniser {
 
   std::span<const ClassIndex> indexes_;
   RecogniserParameters parameters_;
+  bool has_room_for_one_ = false;  // blob only
   Vision vision_;
   // A class, and what its key views cost at the very least.
   struct LikelyClass {

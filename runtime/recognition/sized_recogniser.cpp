@@ -17,4 +17,12 @@ void SizedRecogniser::make_room(int width_px, int height_px) {
   height_px_ = height;
 }
 
+void SizedRecogniser::cut_with(const VisionParameters& vision) {
+  parameters_.vision = vision;
+  if (width_px_ == 0 || recogniser_.cut_with(vision)) return;
+  const int width = width_px_, height = height_px_;
+  width_px_ = height_px_ = 0;
+  make_room(width, height);
+}
+
 }  // namespace aspect

@@ -16,6 +16,9 @@ class SizedRecogniser {
 
   // Before recognise(): has room for such a frame, or throws std::bad_alloc.
   void make_room(int width_px, int height_px);
+  // See Recogniser::cut_with. Where that is not enough, all memory is taken anew, and what was
+  // followed is forgotten; throws std::bad_alloc.
+  void cut_with(const VisionParameters& vision);
   Recognition recognise(const Frame& frame, int steps = 1) noexcept {
     return recogniser_.recognise(frame, steps);
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 
+#include "runtime/capture/camera_search.h"
 #include "runtime/service/daemon_log.h"
 #include "runtime/service/recognition_json.h"
 #include "runtime/service/state_json.h"
@@ -36,8 +37,9 @@ std::string_view status_of(std::span<char> out, std::string_view state, std::str
 
 }  // namespace
 
-Result<std::unique_ptr<Daemon>> Daemon::start(const std::filesystem::path& file) {
-  std::unique_ptr<Daemon> daemon(new Daemon(file));
+Result<std::unique_ptr<Daemon>> Daemon::start(const std::filesystem::path& file,
+                                              const DaemonParts& parts) {
+  std::unique_ptr<Daemon> daemon(new Daemon(file, parts));
   if (auto error = daemon->prepare()) return *error;
   return daemon;
 }
@@ -46,13 +48,41 @@ std::optional<Error> Daemon::prepare() {
   Result<std::unique_ptr<RuntimeSetup>> setup = load_setup(file_);
   if (!setup) return Error{setup.error()};
   line_.resize(Outputs::kMaxLineBytes);
+  if (parts_.make_workbench != nullptr) workbench_ = parts_.make_workbench(parts_.calls);
   take_room(std::move(setup).value());
   const Configuration& configuration = setup_->configuration;
-  Result<std::unique_ptr<Outputs>> outputs = Outputs::open(configuration.output);
+  Result<std::unique_ptr<Outputs>> outputs = Outputs::open(configuration.output, workbench_.get());
   if (!outputs) return Error{outputs.error()};
   outputs_ = std::move(outputs).value();
-  camera_ = std::make_unique<Camera>(configuration.capture);
+  tell_address();
+  camera_ = make_camera(configuration.capture);
   return apply(configuration.process);
+}
+
+std::unique_ptr<Camera> Daemon::make_camera(const CameraSettings& settings) const {
+  if (parts_.calls != nullptr)
+    return std::make_unique<Camera>(settings, *parts_.calls, DeviceFolders{});
+  return std::make_unique<Camera>(settings);
+}
+
+// Who can read the log may use the workbench.
+void Daemon::tell_address() const {
+  if (const std::string address = outputs_->http_address(); !address.empty())
+    log_line("page: " + address);
+}
+
+void Daemon::use_workbench() {
+  if (!workbench_) return;
+  workbench_->use({setup_->configuration, file_, setup_->indexes, setup_->parameters,
+                   [file = file_](const std::string& text) { return check_setup(text, file); }});
+}
+
+// Of the page, between two frames.
+void Daemon::take_changes() {
+  if (!workbench_) return;
+  if (VisionParameters vision; workbench_->take_vision(vision)) recogniser_->cut_with(vision);
+  std::vector<CameraControl>& controls = setup_->configuration.capture.controls;
+  if (workbench_->take_controls(controls)) camera_->adopt_controls(controls);
 }
 
 // Memory for the frames that are asked for; a camera may give others, but hardly larger ones.
@@ -63,6 +93,7 @@ void Daemon::take_room(std::unique_ptr<RuntimeSetup> setup) {
   const CameraSettings& capture = setup_->configuration.capture;
   recogniser_ = std::make_unique<SizedRecogniser>(setup_->indexes, setup_->parameters);
   recogniser_->make_room(capture.width_px, capture.height_px);
+  use_workbench();
 }
 
 void Daemon::run() {
@@ -93,6 +124,7 @@ void Daemon::run() {
 }
 
 void Daemon::on_frame(const CameraEvent& event) {
+  take_changes();
   const std::uint64_t missing = event.late + event.lost + damaged_;
   const Recognition recognition = recogniser_->recognise(
       event.frame,
@@ -102,8 +134,9 @@ void Daemon::on_frame(const CameraEvent& event) {
   const FrameLabel label = {camera_name(), event.sequence, event.frame.width_px,
                             event.frame.height_px, capture};
   damaged_ = 0;
-  // The picture first: a page draws a line's boxes into the picture that it has.
-  if (outputs_->wants_picture()) outputs_->show_picture(event.frame);
+  // The frame first: a page draws a line's boxes into the picture that it has.
+  if (workbench_ && workbench_->wants_frame())
+    workbench_->show(event.frame, recognition, recogniser_->cameras(), outputs_->counts().lines);
   const std::size_t length = write_recognition_json(label, recognition, setup_->indexes, line_);
   outputs_->publish({line_.data(), length});
 
@@ -134,6 +167,8 @@ void Daemon::on_changed(const CameraEvent& event) {
     for (const std::string& warning : plan.warnings) log_line("warning: " + warning);
     recogniser_->make_room(plan.width_px, plan.height_px);
   }
+  if (workbench_)
+    workbench_->use_camera(event.state == CameraState::streaming ? &camera_->plan() : nullptr);
   report(name_of(event.state), event.reason);
 }
 
@@ -161,7 +196,8 @@ std::optional<Error> Daemon::reload() {
   take_room(std::move(loaded).value());
   if (setup_->configuration.capture != old.capture) {
     camera_.reset();  // it may be the same device
-    camera_ = std::make_unique<Camera>(setup_->configuration.capture);
+    if (workbench_) workbench_->use_camera(nullptr);
+    camera_ = make_camera(setup_->configuration.capture);
   } else if (const CameraPlan& plan = camera_->plan(); plan.width_px > 0) {
     recogniser_->make_room(plan.width_px, plan.height_px);
   }
@@ -171,17 +207,18 @@ std::optional<Error> Daemon::reload() {
 // The old outputs are closed first, since the new ones may use the same ports and files.
 std::optional<Error> Daemon::reopen_outputs(const OutputSettings& settings) {
   outputs_.reset();
-  Result<std::unique_ptr<Outputs>> opened = Outputs::open(settings);
+  Result<std::unique_ptr<Outputs>> opened = Outputs::open(settings, workbench_.get());
   std::optional<Error> error;
   if (!opened) {
     error = Error{opened.error()};
-    opened = Outputs::open(setup_->configuration.output);
+    opened = Outputs::open(setup_->configuration.output, workbench_.get());
     if (!opened) {
       log_line("the former outputs cannot be had again: " + opened.error());
       opened = Outputs::open({});
     }
   }
   outputs_ = std::move(opened).value();
+  tell_address();
   return error;
 }
 

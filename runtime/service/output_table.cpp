@@ -67,6 +67,9 @@ void read_mqtt(TableReader& reader, MqttOutput& output) {
 void read_http(TableReader& reader, HttpOutput& output) {
   read_into(reader, "address", output.address);
   read_into(reader, "port", kPorts, output.port);
+  std::string folder;
+  read_into(reader, "record", folder);
+  output.record = folder;
 }
 
 void read_trigger(TableReader& reader, TriggerOutput& output) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/output/outputs.h"
 #include "runtime/recognition/self_test.h"
 #include "runtime/service/index_set.h"
 
@@ -13,10 +14,8 @@ bool has_object(const std::vector<ClassIndex>& indexes, const std::string& objec
                      [&](const ClassIndex& index) { return index.object == object; });
 }
 
-}  // namespace
-
-Result<std::unique_ptr<RuntimeSetup>> load_setup(const std::filesystem::path& file) {
-  Result<Configuration> configuration = read_configuration(file);
+Result<std::unique_ptr<RuntimeSetup>> setup_of(Result<Configuration> configuration,
+                                               const std::filesystem::path& file) {
   if (!configuration) return Error{configuration.error()};
   auto setup = std::make_unique<RuntimeSetup>();
   setup->configuration = std::move(configuration).value();
@@ -43,6 +42,18 @@ Result<std::unique_ptr<RuntimeSetup>> load_setup(const std::filesystem::path& fi
   setup->parameters.vision = setup->indexes.front().vision;
   setup->configuration.apply(setup->parameters);
   return setup;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RuntimeSetup>> load_setup(const std::filesystem::path& file) {
+  return setup_of(read_configuration(file), file);
+}
+
+std::optional<Error> check_setup(const std::string& text, const std::filesystem::path& file) {
+  const auto setup = setup_of(parse_configuration(text, file.native()), file);
+  if (!setup) return Error{setup.error()};
+  return Outputs::check(setup.value()->configuration.output);
 }
 
 }  // namespace aspect

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,9 @@ struct RuntimeSetup {
 // On the heap, since recognisers point to its indexes. Everything must be right: one index that is
 // not is the error of all.
 Result<std::unique_ptr<RuntimeSetup>> load_setup(const std::filesystem::path& file);
+
+// Of a text that is to be the file's: why it would be no good there. The camera is not asked.
+[[nodiscard]] std::optional<Error> check_setup(const std::string& text,
+                                               const std::filesystem::path& file);
 
 }  // namespace aspect

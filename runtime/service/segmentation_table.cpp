@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "runtime/service/segmentation_values.h"
 #include "runtime/service/table_reader.h"
 #include "runtime/vision/vision_limits.h"
 
@@ -19,25 +20,23 @@ void read_region_of_interest(TableReader& reader, std::optional<Box>& box) {
   box = Box{x, y, width, height};
 }
 
+void read_value(TableReader& reader, const SegmentationValue& value, std::optional<int>& member) {
+  reader.read(value.key, {static_cast<int>(value.least), static_cast<int>(value.most)}, member);
+}
+void read_value(TableReader& reader, const SegmentationValue& value, std::optional<float>& member) {
+  reader.read(value.key, {value.least, value.most}, member);
+}
+void read_value(TableReader& reader, const SegmentationValue& value, std::optional<bool>& member) {
+  reader.read(value.key, member);
+}
+
 }  // namespace
 
 std::optional<Error> read_segmentation(const toml::table& table, const std::string& file,
                                        SegmentationOverrides& overrides) {
-  constexpr int kMaxPixels = kMaxFrameSide_px * kMaxFrameSide_px;
   TableReader reader(table, file, "segmentation");
-  reader.read("intensity_min", {0, 765}, overrides.intensity_min);
-  reader.read("chroma_step", {1, 255}, overrides.chroma_step);
-  reader.read("noise_steps", {0, 255}, overrides.noise_steps);
-  reader.read("intensity_step", {0, 765}, overrides.intensity_step);
-  reader.read("area_min_px", {1, kMaxPixels}, overrides.area_min_px);
-  reader.read("thickness_min_px", {0, kMaxFrameSide_px}, overrides.thickness_min_px);
-  reader.read("smooth", overrides.smooth);
-  reader.read("one_blob", overrides.one_blob);
-  reader.read("range_step_length", {1e-9, 1e9}, overrides.range_step_length);
-  reader.read("range_steps_min", {1, 65534}, overrides.range_steps_min);
-  reader.read("range_steps_max", {1, 65534}, overrides.range_steps_max);
-  reader.read("range_depth_step", {1e-5, 1}, overrides.range_depth_step);
-  reader.read("range_normal_step_deg", {1, 90}, overrides.range_normal_step_deg);
+  for (const SegmentationValue& value : segmentation_values())
+    std::visit([&](auto member) { read_value(reader, value, overrides.*member); }, value.member);
   read_region_of_interest(reader, overrides.region_of_interest);
   return reader.finish();
 }

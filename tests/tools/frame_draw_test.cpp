@@ -4,10 +4,10 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "runtime/recognition/model_lines.h"
 #include "tests/runtime/recognition/painted_box.h"
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/id_colour.h"
-#include "tools/draw/model_lines.h"
 #include "tools/draw/recognition_draw.h"
 #include "tools/draw/region_draw.h"
 

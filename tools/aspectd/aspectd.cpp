@@ -12,6 +12,7 @@
 #include "runtime/base/standard_streams.h"
 #include "runtime/service/daemon.h"
 #include "runtime/service/daemon_log.h"
+#include "runtime/workbench/workbench_desk.h"
 #include "tools/aspectd/aspectd_command.h"
 #include "tools/aspectd/check.h"
 #include "tools/command_line/help_text.h"
@@ -70,7 +71,8 @@ std::optional<int> parse(int argc, char** argv, Options& options) {
 
 int run(const Options& options) {
   if (options.check) return aspect::check(options.configuration, options.json) ? 0 : kFailed;
-  auto daemon = aspect::Daemon::start(options.configuration);
+  auto daemon = aspect::Daemon::start(
+      options.configuration, {.make_workbench = aspect::make_camera_workbench, .calls = nullptr});
   if (!daemon) {
     aspect::log_line(daemon.error());
     return kFailed;

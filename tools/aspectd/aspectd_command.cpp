@@ -1,18 +1,76 @@
 #include "tools/aspectd/aspectd_command.h"
 
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "runtime/base/two_sentences.h"
+#include "runtime/capture/control_words.h"
+#include "runtime/service/segmentation_values.h"
+
 namespace aspect {
 namespace {
 
-constexpr const char* kNotes =
+// Widths of what is listed under a table's name.
+constexpr std::size_t kIndent = 20, kWidth = 100;
+
+// "KEY range: words" from the indent on, in lines of that width.
+std::string listed(const std::string& text) {
+  std::string lines, line(kIndent, ' ');
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const bool is_first = line.find_first_not_of(' ') == std::string::npos;
+    if (!is_first && line.size() + 1 + word.size() > kWidth) {
+      lines += line + "\n";
+      line = std::string(kIndent + 2, ' ') + word;
+    } else {
+      line += (is_first ? "" : " ") + word;
+    }
+    begin = end + 1;
+  }
+  return lines + line + "\n";
+}
+
+std::string segmentation_list() {
+  std::string lines = listed(fmt::format("region_of_interest = [x, y, width, height]: {}",
+                                         two_sentences(kRegionMeaning, kRegionAdvice)));
+  for (const SegmentationValue& value : segmentation_values()) {
+    const bool is_truth =
+        std::holds_alternative<std::optional<bool> SegmentationOverrides::*>(value.member);
+    const std::string range =
+        is_truth ? "true or false" : fmt::format("{} to {}", value.least, value.most);
+    const std::string unit = value.unit.empty() ? "" : " " + std::string(value.unit);
+    lines += listed(fmt::format("{}, {}{}: {}", value.key, range, unit,
+                                two_sentences(value.meaning, value.advice)));
+  }
+  return lines;
+}
+
+std::string control_list() {
+  std::string lines;
+  for (const ControlWords& control : control_words())
+    lines +=
+        listed(fmt::format("{}: {}", control.name, two_sentences(control.meaning, control.advice)));
+  return lines;
+}
+
+constexpr const char* kNotesBegin =
     R"(The configuration is TOML; whatever is left out has a default, but for indexes:
   indexes           ["NAME.aspect", ...]: files, from the configuration's folder on
   [camera]          device = "/dev/video0", "bus:PLACE" or "serial:NUMBER"; width, height, rate,
                     format = "YUYV"; stall_ms (silence after which it is started anew);
                     fx, fy, cx, cy (its lens, in pixels), k1, k2, p1, p2, k3
-  [camera.controls]  NAME = NUMBER, ... as v4l2-ctl --list-ctrls names them, set in this order
-  [segmentation]    region_of_interest = [x, y, width, height]; area_min_px, intensity_min and the
-                    others that an index was compiled with
-  [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack,
+  [camera.controls]  NAME = NUMBER, ... as v4l2-ctl --list-ctrls names them, set in this order; a
+                    camera has some of these and others of its own:
+)";
+
+constexpr const char* kNotesSegmentation =
+    R"(  [segmentation]    what is left out is as the index was compiled
+)";
+
+constexpr const char* kNotesEnd =
+    R"(  [recognition]     top, score_min, ranking = "views" or "classes", matching, shortlist_slack,
                     min_confidence (probability from which an object is a match),
                     anywhere = true (look for objects before any background as well as alone),
                     track = true (follow objects from frame to frame: each has a number, and costs
@@ -24,11 +82,17 @@ constexpr const char* kNotes =
   [output.socket]   path
   [output.tcp]      port, address
   [output.mqtt]     host, port, topic, client, user, password_file
-  [output.http]     port, address: a page with what the camera sees
+  [output.http]     port, address: a page with what the camera sees, and sliders for what is under
+                    [segmentation] and [camera.controls]; record: folder for frames that it records
   [[output.trigger]]
                     object, score_min, frames, and command = ["/PROGRAM", ...] (it finds
                     ASPECT_OBJECT and ASPECT_SEEN in its environment) or gpio_chip and gpio_line
   [process]         lock_memory, realtime_priority, cpus = [3]
+
+Where there is a page, its address is printed at the start, with a token without which nothing can
+be changed. What is changed there holds from the next frame on, and is gone with a restart or a
+reload unless it was written to the configuration, which the page does when it is told to: comments
+stay, and what the file was before is kept as FILE.toml.1.
 
 A frame's line is aspect-replay's, with "capture": time_s, latency_ms, and how many frames before it
 were late, lost and damaged. Another state is a line with "state": streaming, absent, busy,
@@ -64,7 +128,8 @@ CommandText aspectd_command() {
       "Recognises objects in what a camera sees: one JSON object a line for each frame.";
   command.version = ASPECT_VERSION;
   command.section = 8;
-  command.notes = kNotes;
+  command.notes =
+      kNotesBegin + control_list() + kNotesSegmentation + segmentation_list() + kNotesEnd;
   const auto add = [&command](std::vector<std::string> names, const char* value,
                               const char* meaning, bool required = false) {
     command.options.push_back({std::move(names), value, meaning, "Options", required});

@@ -5,8 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "runtime/output/preview_picture.h"
 #include "runtime/vision/contour_trace.h"
+#include "runtime/workbench/frame_picture.h"
 #include "tools/draw/id_colour.h"
 
 namespace aspect {

@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "runtime/recognition/model_lines.h"
 #include "runtime/service/recognition_json.h"
 #include "tools/draw/frame_canvas.h"
 #include "tools/draw/id_colour.h"
-#include "tools/draw/model_lines.h"
 
 namespace aspect {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "tools/draw/model_lines.h"
+#include "runtime/recognition/model_lines.h"
 #include "tools/frame_page/page_block.h"
 #include "tools/frame_page/page_drawing.h"
 #include "tools/frame_page/page_model.h"

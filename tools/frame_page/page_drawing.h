@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
+#include "runtime/recognition/model_lines.h"
 #include "runtime/vision/segment.h"
 #include "runtime/vision/view_graph.h"
-#include "tools/draw/model_lines.h"
 
 namespace aspect {
 

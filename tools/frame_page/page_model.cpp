@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tools/draw/model_lines.h"
+#include "runtime/recognition/model_lines.h"
 #include "tools/frame_page/page_block.h"
 
 namespace aspect {

@@ -20,6 +20,7 @@
 #include "tools/replay/line_output.h"
 #include "tools/replay/pace.h"
 #include "tools/replay/replay_page.h"
+#include "tools/replay/serve.h"
 #include "tools/replay/stage_pictures.h"
 
 namespace aspect {
@@ -152,16 +153,17 @@ void test_indexes(std::span<const ClassIndex> indexes, Console& console) {
   }
 }
 
+Result<Configuration> configuration_of(const ReplayOptions& options) {
+  if (!options.configuration) return Configuration();
+  return read_configuration(*options.configuration);
+}
+
 Result<RecogniserParameters> parameters_for(const ReplayOptions& options, const ClassIndex& first) {
-  Configuration configuration;
-  if (options.configuration) {
-    Result<Configuration> read = read_configuration(*options.configuration);
-    if (!read) return Error{read.error()};
-    configuration = std::move(read).value();
-  }
+  const Result<Configuration> configuration = configuration_of(options);
+  if (!configuration) return Error{configuration.error()};
   RecogniserParameters parameters;
   parameters.vision = first.vision;
-  configuration.apply(parameters);
+  configuration.value().apply(parameters);
   options.recognition.apply(parameters);
   TrackingParameters& tracking = parameters.tracking;
   if (tracking.on && options.explain && !options.explain->empty())
@@ -212,6 +214,13 @@ int replay(const ReplayOptions& options) {
   }
   const auto parameters = parameters_for(options, indexes.front());
   if (!parameters) return console.fail(parameters.error()), kFailed;
+  if (options.serve) {
+    auto configuration = configuration_of(options);
+    if (!configuration) return console.fail(configuration.error()), kFailed;
+    return serve(options, std::move(configuration).value(), indexes, parameters.value(), console)
+               ? 0
+               : kFailed;
+  }
   const auto pictures = StagePictures::create(options.overlay_folder, options.dump_folder);
   if (!pictures) return console.fail(pictures.error()), kFailed;
   auto explainer = explainer_for(options, indexes, parameters.value());

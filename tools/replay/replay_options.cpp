@@ -70,6 +70,14 @@ none of the other loaded objects was chosen (not with --track). Frames that cann
 as such. Frames are looked at twice then. The page is there when all frames are done; it takes 10 to
 40 KB a frame. With --truth it has the errors that aspect-score would tell.
 
+--serve shows the frames on the page that aspectd has for its camera, over and over, at 15 a second
+or at --pace, until it is interrupted: picture, regions and what was recognised side by side, a
+slider for every value of [segmentation], a region of interest to be drawn, recording, pause and
+step. Its address is printed, with a token without which nothing can be changed; other pages and
+other machines cannot. [output.http] of --config gives address, port and record, unless they are
+given here. What is changed holds until it is written to the file of --config, which the page does
+when it is told to, and keeps the old one as FILE.toml.1.
+
 Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
 failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
 
@@ -81,6 +89,7 @@ Examples:
   aspect-replay --index cube.aspect --top 3 --overlay pictures/ --pace 25 clip.avi
   aspect-replay --index duck.aspect --config camera.toml --bop 2 9 test/000002/rgb > duck.csv
   aspect-replay --index cube.aspect --html page/ --truth truth.csv frames/ > seen.jsonl
+  aspect-replay --index cube.aspect --config aspectd.toml --serve frames/
 )";
 
 // --explain without a name, for CLI11: see with_names_attached.
@@ -111,7 +120,7 @@ std::vector<std::string> with_names_attached(int argc, const char* const* argv) 
 // What CLI11 makes of the command line; an absent option is an empty or zero value here.
 struct RawOptions {
   ReplayOptions options;
-  std::string configuration, overlay, dump, page, truth, symmetries;
+  std::string configuration, overlay, dump, page, truth, symmetries, record;
   std::vector<std::string> indexes, frames, bop;
   double bop_unit_mm = 1;
 };
@@ -161,6 +170,7 @@ void add_inputs(CLI::App& app, RawOptions& raw) {
       throw CLI::ValidationError("--bop", raw.bop[0] + " is more than one scene");
     if (!raw.bop.empty() && raw.options.explain)
       throw CLI::ValidationError("--bop", "has no room for what --explain says");
+    if (raw.options.serve && raw.options.explain) throw CLI::ExcludesError("--explain", "--serve");
   });
 }
 
@@ -277,6 +287,37 @@ BopIds bop_ids(const RawOptions& raw) {
   return {whole_numbers(raw.bop[0]).front(), whole_numbers(raw.bop[1]), raw.bop_unit_mm};
 }
 
+void add_page(CLI::App& app, RawOptions& raw) {
+  constexpr int kMostPort = 65535;
+  CLI::Option* serve =
+      app.add_flag("--serve", raw.options.serve,
+                   "show the frames over and over on a page with sliders, instead of lines")
+          ->group("Page")
+          ->excludes("--self-test")
+          ->excludes("--explain")
+          ->excludes("--overlay")
+          ->excludes("--dump")
+          ->excludes("--html")
+          ->excludes("--bop");
+  app.add_option_function<std::string>(
+         "--address", [&raw](const std::string& address) { raw.options.address = address; },
+         "where the page is served, 0.0.0.0: on every interface [127.0.0.1]")
+      ->type_name("ADDRESS")
+      ->group("Page")
+      ->needs(serve);
+  app.add_option_function<int>(
+         "--port", [&raw](int port) { raw.options.port = port; },
+         "port of the page, 0: any that is free [8080]")
+      ->check(CLI::Range(0, kMostPort).description(""))
+      ->type_name("PORT")
+      ->group("Page")
+      ->needs(serve);
+  app.add_option("--record", raw.record, "where the page records frames to [nowhere]")
+      ->type_name("FOLDER")
+      ->group("Page")
+      ->needs(serve);
+}
+
 ReplayOptions finished(RawOptions raw) {
   ReplayOptions options = std::move(raw.options);
   options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
@@ -288,6 +329,7 @@ ReplayOptions finished(RawOptions raw) {
   if (!raw.truth.empty()) options.truth = raw.truth;
   if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
   if (!raw.bop.empty()) options.bop = bop_ids(raw);
+  if (!raw.record.empty()) options.record_folder = raw.record;
   return options;
 }
 
@@ -302,6 +344,7 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_recognition(app, raw);
   add_outputs(app, raw);
   add_bop(app, raw);
+  add_page(app, raw);
   const std::vector<std::string> words = with_names_attached(argc, argv);
   std::vector<const char*> word_starts;
   word_starts.reserve(words.size());

@@ -27,10 +27,20 @@ int query_control(FakeCamera& camera, v4l2_query_ext_ctrl& query) {
   std::memcpy(query.name, found->name.data(), std::min(sizeof query.name, found->name.size()));
   query.minimum = found->least;
   query.maximum = found->most;
-  query.step = 1;
+  query.step = static_cast<__u64>(found->rounding);
+  query.default_value = found->least;
   query.flags = found->flags;
   const FakeControl* automatic = control_of(camera, found->automatic);
   if (automatic && automatic->value != 0) query.flags |= V4L2_CTRL_FLAG_INACTIVE;
+  return 0;
+}
+
+int query_item(FakeCamera& camera, v4l2_querymenu& item) {
+  const FakeControl* control = control_of(camera, item.id);
+  if (!control || item.index >= control->items.size() || control->items[item.index].empty())
+    return EINVAL;
+  const std::string& name = control->items[item.index];
+  std::memcpy(item.name, name.data(), std::min(sizeof item.name - 1, name.size()));
   return 0;
 }
 
@@ -103,6 +113,8 @@ int fake_control_ioctl(FakeCamera& camera, unsigned long request, void* argument
   switch (request) {
     case VIDIOC_QUERY_EXT_CTRL:
       return query_control(camera, *static_cast<v4l2_query_ext_ctrl*>(argument));
+    case VIDIOC_QUERYMENU:
+      return query_item(camera, *static_cast<v4l2_querymenu*>(argument));
     case VIDIOC_S_CTRL:
     case VIDIOC_G_CTRL:
       return transfer_one(camera, *static_cast<v4l2_control*>(argument), request == VIDIOC_S_CTRL);

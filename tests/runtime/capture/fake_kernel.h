@@ -28,9 +28,10 @@ struct FakeControl {
   std::uint32_t type = V4L2_CTRL_TYPE_INTEGER;
   std::int64_t least = 0, most = 255, value = 0;
   std::uint32_t flags = 0;
-  std::uint32_t automatic = 0;  // while that control is not 0, this one is inactive
-  std::int64_t rounding = 1;    // the driver keeps multiples only
-  int refusal = 0;              // errno of setting it
+  std::uint32_t automatic = 0;       // while that control is not 0, this one is inactive
+  std::int64_t rounding = 1;         // the driver keeps multiples only
+  int refusal = 0;                   // errno of setting it
+  std::vector<std::string> items{};  // of a menu; empty: that number is none
 };
 
 struct FakeCamera {

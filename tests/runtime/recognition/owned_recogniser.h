@@ -23,6 +23,7 @@ class OwnedRecogniser {
   Recognition recognise(const Frame& frame, int steps = 1) {
     return recogniser_->recognise(frame, steps);
   }
+  bool cut_with(const VisionParameters& vision) { return recogniser_->cut_with(vision); }
   std::size_t arena_bytes() const { return memory_.bytes(); }
 
  private:

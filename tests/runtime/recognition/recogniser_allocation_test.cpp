@@ -75,6 +75,25 @@ TEST_CASE("what moves, is lost and comes back is followed without memory from th
   CHECK(followed > rounds(96) / 2);
 }
 
+TEST_CASE("values are changed between frames without memory from the heap") {
+  const std::vector<OwnedFrame> frames = varied_frames();
+  OwnedRecogniser owned(cube_and_l_shape(), {}, 1024, 512);
+  VisionParameters vision = cube_and_l_shape()[0].vision;
+  int refused = 0;
+  const std::uint64_t before = allocation_count();
+  for (int k = 0; k < rounds(60); ++k) {
+    vision.chroma_step = 2 + k % 40;
+    vision.area_min_px = 1 + k * k % 500;
+    vision.one_blob = k % 7 == 3;
+    vision.smooth = k % 2 == 0;
+    vision.region_of_interest = k % 3 == 0 ? Box{} : Box{k, k / 2, 800 - k, 400};
+    refused += owned.cut_with(vision) ? 0 : 1;
+    owned.recognise(frames[static_cast<std::size_t>(k) % frames.size()].frame());
+  }
+  CHECK(allocation_count() - before == 0);
+  CHECK(refused == 0);
+}
+
 TEST_CASE("frames whose time is over anywhere are recognised without memory from the heap") {
   const std::vector<OwnedFrame> frames = varied_frames();
   std::vector<OwnedRecogniser> within;

@@ -240,4 +240,47 @@ TEST_CASE("ranked by classes, a hundredth of weight decides between classes alik
   }
 }
 
+TEST_CASE("values changed between frames give what a recogniser made with them gives") {
+  ModelCamera cube("cube"), l_shape("l_shape");
+  const std::vector<OwnedFrame> frames = {cube.view({0.48, 0.6, 0.64}),
+                                          l_shape.view({-0.6, 0.48, 0.64})};
+  std::vector<VisionParameters> all(6, cube_and_l_shape()[0].vision);
+  all[1].intensity_min = 300;
+  all[2].chroma_step = 60;
+  all[3].area_min_px = 6000;
+  all[3].smooth = false;
+  all[4].region_of_interest = {100, 120, 200, 260};
+  all[5].one_blob = true;
+  OwnedRecogniser changed = recogniser();
+  std::set<std::string> answers;
+  for (const VisionParameters& vision :
+       {all[0], all[1], all[2], all[0], all[3], all[4], all[5], all[0]}) {
+    RecogniserParameters parameters;
+    parameters.vision = vision;
+    OwnedRecogniser made(cube_and_l_shape(), parameters, kSide_px, kSide_px);
+    REQUIRE(changed.cut_with(vision));
+    for (const OwnedFrame& frame : frames) {
+      const std::string answer = words(changed.recognise(frame.frame()));
+      CHECK(answer == words(made.recognise(frame.frame())));
+      answers.insert(answer);
+    }
+  }
+  // The values do something.
+  CHECK(answers.size() > 6);
+}
+
+TEST_CASE("what needs other memory is not changed between frames") {
+  RecogniserParameters parameters;
+  parameters.vision = cube_and_l_shape()[0].vision;
+  parameters.vision.one_blob = true;
+  OwnedRecogniser one(cube_and_l_shape(), parameters, kSide_px, kSide_px);
+  VisionParameters vision = parameters.vision;
+  vision.one_blob = false;
+  CHECK_FALSE(one.cut_with(vision));
+  vision.one_blob = true;
+  CHECK(one.cut_with(vision));
+  vision.sensor = SensorKind::grey;
+  CHECK_FALSE(one.cut_with(vision));
+}
+
 }  // namespace aspect

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/base/check.h"
 #include "runtime/recognition/class_match.h"
+#include "runtime/service/segmentation_values.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -162,76 +164,70 @@ void choose_sensor(CompileSettings& settings, const OptionValue& value) {
   vision.relations_max = before.relations_max;
 }
 
+OptionForm form_of(const SegmentationValue& value) {
+  if (std::holds_alternative<std::optional<bool> SegmentationOverrides::*>(value.member))
+    return TruthForm{};
+  if (std::holds_alternative<std::optional<float> SegmentationOverrides::*>(value.member))
+    return NumberForm{{value.least, value.most}};
+  return WholeForm{{static_cast<int>(value.least), static_cast<int>(value.most)}};
+}
+
+// A value that configurations have as well, in the words that they have for it.
+template <typename Access>
+void add_shared(std::vector<Option>& all, std::string_view key, std::string_view flag,
+                Access access) {
+  const SegmentationValue* value = find_segmentation_value(key);
+  ASPECT_CHECK(value != nullptr);
+  all.push_back(
+      option({kSegmentation, value->key, flag, value->unit, value->meaning, value->advice},
+             form_of(*value), access));
+}
+
 void add_range(std::vector<Option>& all) {
-  all.push_back(option(
-      {kSegmentation, "range_step_length", "--range-step-length", "scene units",
-       "length of one step of a range sensor's depths",
-       "0.001 where it counts in millimetres of a scene in metres"},
-      NumberForm{{1e-9, 1e9}},
-      [](auto& s) -> auto& { return s.options.vision.range.step_length; }));
-  all.push_back(option(
-      {kSegmentation, "range_steps_min", "--range-steps-min", "steps",
-       "nearer depths of a range sensor are background", ""},
-      WholeForm{{1, 65534}}, [](auto& s) -> auto& { return s.options.vision.range.steps_min; }));
-  all.push_back(option(
-      {kSegmentation, "range_steps_max", "--range-steps-max", "steps",
-       "farther depths of a range sensor are background", "cuts away what stands behind"},
-      WholeForm{{1, 65534}}, [](auto& s) -> auto& { return s.options.vision.range.steps_max; }));
-  all.push_back(option(
-      {kSegmentation, "range_depth_step", "--range-depth-step", "of the distance",
-       "a wider gap between neighbouring depths parts two surfaces",
-       "0.01; lower sees shallower steps, until noise does"},
-      NumberForm{{1e-5, 1}}, [](auto& s) -> auto& { return s.options.vision.range.depth_step; }));
-  all.push_back(option(
-      {kSegmentation, "range_normal_step_deg", "--range-normal-step-deg", "degrees",
-       "surfaces of a range picture that meet at less are one",
-       "12; lower tells flatter edges, until round surfaces fall apart"},
-      NumberForm{{1, 90}},
-      [](auto& s) -> auto& { return s.options.vision.range.normal_step_deg; }));
+  add_shared(
+      all, "range_step_length", "--range-step-length",
+      [](auto& s) -> auto& { return s.options.vision.range.step_length; });
+  add_shared(
+      all, "range_steps_min", "--range-steps-min",
+      [](auto& s) -> auto& { return s.options.vision.range.steps_min; });
+  add_shared(
+      all, "range_steps_max", "--range-steps-max",
+      [](auto& s) -> auto& { return s.options.vision.range.steps_max; });
+  add_shared(
+      all, "range_depth_step", "--range-depth-step",
+      [](auto& s) -> auto& { return s.options.vision.range.depth_step; });
+  add_shared(
+      all, "range_normal_step_deg", "--range-normal-step-deg",
+      [](auto& s) -> auto& { return s.options.vision.range.normal_step_deg; });
 }
 
 void add_segmentation(std::vector<Option>& all) {
-  constexpr int kMostPixels = kMaxFrameSide_px * kMaxFrameSide_px;
   Option sensor = option(
       {kSegmentation, "sensor", "--sensor", "", "what frames are of",
        "colours, grey values, depths or surface ids; the defaults below follow it"},
       WordForm{kSensorNames}, [](auto& s) -> auto& { return s.options.vision.sensor; });
   sensor.set = choose_sensor;
   all.push_back(std::move(sensor));
-  all.push_back(option(
-      {kSegmentation, "intensity_min", "--intensity-min", "r + g + b",
-       "pixels that are darker are background",
-       "48 for black, 150 cuts away dark clutter, and dark parts of the object with it"},
-      WholeForm{{0, 765}}, [](auto& s) -> auto& { return s.options.vision.intensity_min; }));
-  all.push_back(option(
-      {kSegmentation, "chroma_step", "--chroma-step", "of 255",
-       "largest step of a colour share between neighbouring pixels of a region",
-       "6 to 16; higher joins alike colours, lower breaks up noisy surfaces"},
-      WholeForm{{1, 255}}, [](auto& s) -> auto& { return s.options.vision.chroma_step; }));
-  all.push_back(option(
-      {kSegmentation, "noise_steps", "--noise-steps", "",
-       "added to chroma_step in dark pixels, in multiples of one grey value's error",
-       "0 without noise, 3 for cameras; higher joins dark colours"},
-      WholeForm{{0, 255}}, [](auto& s) -> auto& { return s.options.vision.noise_steps; }));
-  all.push_back(option(
-      {kSegmentation, "intensity_step", "--intensity-step", "r + g + b",
-       "largest step of brightness between neighbouring pixels of a region",
-       "0: as the picture's noise allows, 15 to 90; higher joins what shading parts, 765: any"},
-      WholeForm{{0, 765}}, [](auto& s) -> auto& { return s.options.vision.intensity_step; }));
-  all.push_back(option(
-      {kSegmentation, "area_min_px", "--area-min-px", "px", "smaller regions are discarded",
-       "40 at 512 x 512; lower sees finer detail and more noise"},
-      WholeForm{{1, kMostPixels}}, [](auto& s) -> auto& { return s.options.vision.area_min_px; }));
-  all.push_back(option(
-      {kSegmentation, "thickness_min_px", "--thickness-min-px", "px",
-       "thinner filaments are discarded",
-       "5; lower sees finer detail, but the pixel grid breaks thin slivers up"},
-      NumberForm{{0, kMaxFrameSide_px}},
-      [](auto& s) -> auto& { return s.options.vision.thickness_min_px; }));
-  all.push_back(option(
-      {kSegmentation, "smooth", "--smooth", "", "3 x 3 median before anything",
-       "removes noise for a third of the time"},
-      TruthForm{}, [](auto& s) -> auto& { return s.options.vision.smooth; }));
+  add_shared(
+      all, "intensity_min", "--intensity-min",
+      [](auto& s) -> auto& { return s.options.vision.intensity_min; });
+  add_shared(
+      all, "chroma_step", "--chroma-step",
+      [](auto& s) -> auto& { return s.options.vision.chroma_step; });
+  add_shared(
+      all, "noise_steps", "--noise-steps",
+      [](auto& s) -> auto& { return s.options.vision.noise_steps; });
+  add_shared(
+      all, "intensity_step", "--intensity-step",
+      [](auto& s) -> auto& { return s.options.vision.intensity_step; });
+  add_shared(
+      all, "area_min_px", "--area-min-px",
+      [](auto& s) -> auto& { return s.options.vision.area_min_px; });
+  add_shared(
+      all, "thickness_min_px", "--thickness-min-px",
+      [](auto& s) -> auto& { return s.options.vision.thickness_min_px; });
+  add_shared(
+      all, "smooth", "--smooth", [](auto& s) -> auto& { return s.options.vision.smooth; });
   add_range(all);
 }
 

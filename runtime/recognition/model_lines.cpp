@@ -1,4 +1,4 @@
-#include "tools/draw/model_lines.h"
+#include "runtime/recognition/model_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "runtime/output/preview_picture.h"
+#include "runtime/workbench/frame_picture.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,7 +7,6 @@ namespace aspect {
 namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
-constexpr std::chrono::seconds kInterest{2};
 constexpr std::size_t kBmpHeader = 54;
 
 std::size_t row_bytes(int width_px) {
@@ -101,60 +100,42 @@ std::array<std::uint8_t, 3> preview_rgb(const Frame& frame, int x, int y) noexce
   return {};
 }
 
-PreviewPicture::PreviewPicture() : rows_(row_bytes(kWidth_px) * kHeight_px) {}
-
-bool PreviewPicture::wanted() const noexcept {
-  const Clock::time_point asked{Clock::duration{asked_.load(std::memory_order_relaxed)}};
-  return fetched_.load(std::memory_order_relaxed) && asked != Clock::time_point{} &&
-         Clock::now() - asked < kInterest;
-}
-
-void PreviewPicture::show(const Frame& frame, std::uint64_t line) noexcept {
-  if (frame.data == nullptr || frame.width_px < 1 || frame.height_px < 1) return;
-  const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (!lock.owns_lock()) return;
+PictureSize size_within(const PictureSize& frame, const PictureSize& bounds) noexcept {
   // The larger of the two quotients, at least 1, is the scale.
   int divisor = 1, dividend = 1;
-  if (frame.width_px > kWidth_px) dividend = frame.width_px, divisor = kWidth_px;
-  if (std::int64_t{frame.height_px} * divisor > std::int64_t{kHeight_px} * dividend)
-    dividend = frame.height_px, divisor = kHeight_px;
+  if (frame.width_px > bounds.width_px) dividend = frame.width_px, divisor = bounds.width_px;
+  if (std::int64_t{frame.height_px} * divisor > std::int64_t{bounds.height_px} * dividend)
+    dividend = frame.height_px, divisor = bounds.height_px;
   const auto scaled = [&](int length) {
     return std::max(1, static_cast<int>(std::int64_t{length} * divisor / dividend));
   };
-  width_px_ = scaled(frame.width_px);
-  height_px_ = scaled(frame.height_px);
-  for (int y = 0; y < height_px_; ++y) {
-    std::uint8_t* to = rows_.data() + row_bytes(width_px_) * static_cast<std::size_t>(y);
-    const int from_y = (2 * y + 1) * frame.height_px / (2 * height_px_);
-    for (int x = 0; x < width_px_; ++x, to += 3) {
+  return {scaled(frame.width_px), scaled(frame.height_px)};
+}
+
+std::string bitmap_of(const Frame& frame, const PictureSize& size) {
+  const std::size_t row = row_bytes(size.width_px);
+  const std::size_t bytes = row * static_cast<std::size_t>(size.height_px);
+  std::string bmp(kBmpHeader + bytes, '\0');
+  auto* const header = reinterpret_cast<std::uint8_t*>(bmp.data());
+  header[0] = 'B', header[1] = 'M';
+  put(header + 2, static_cast<std::uint32_t>(kBmpHeader + bytes), 4);
+  put(header + 10, kBmpHeader, 4);
+  put(header + 14, 40, 4);
+  put(header + 18, static_cast<std::uint32_t>(size.width_px), 4);
+  put(header + 22, static_cast<std::uint32_t>(-size.height_px), 4);  // from the top down
+  put(header + 26, 1, 2);
+  put(header + 28, 24, 2);
+  put(header + 34, static_cast<std::uint32_t>(bytes), 4);
+  for (int y = 0; y < size.height_px; ++y) {
+    std::uint8_t* to = header + kBmpHeader + row * static_cast<std::size_t>(y);
+    const int from_y = (2 * y + 1) * frame.height_px / (2 * size.height_px);
+    for (int x = 0; x < size.width_px; ++x, to += 3) {
       const auto [red, green, blue] =
-          preview_rgb(frame, (2 * x + 1) * frame.width_px / (2 * width_px_), from_y);
+          preview_rgb(frame, (2 * x + 1) * frame.width_px / (2 * size.width_px), from_y);
       to[0] = blue, to[1] = green, to[2] = red;
     }
   }
-  line_ = line;
-  fetched_.store(false, std::memory_order_relaxed);
-}
-
-std::optional<PreviewPicture::Bitmap> PreviewPicture::fetch(std::optional<std::uint64_t> after) {
-  asked_.store(Clock::now().time_since_epoch().count(), std::memory_order_relaxed);
-  const std::lock_guard lock(mutex_);
-  fetched_.store(true, std::memory_order_relaxed);
-  if (height_px_ == 0 || (after && line_ <= *after)) return std::nullopt;
-  const std::size_t bytes = row_bytes(width_px_) * static_cast<std::size_t>(height_px_);
-  std::array<std::uint8_t, kBmpHeader> header{'B', 'M'};
-  put(&header[2], static_cast<std::uint32_t>(kBmpHeader + bytes), 4);
-  put(&header[10], kBmpHeader, 4);
-  put(&header[14], 40, 4);
-  put(&header[18], static_cast<std::uint32_t>(width_px_), 4);
-  put(&header[22], static_cast<std::uint32_t>(-height_px_), 4);  // from the top down
-  put(&header[26], 1, 2);
-  put(&header[28], 24, 2);
-  put(&header[34], static_cast<std::uint32_t>(bytes), 4);
-  Bitmap bitmap{line_, std::string(kBmpHeader + bytes, '\0')};
-  std::memcpy(bitmap.bmp.data(), header.data(), kBmpHeader);
-  std::memcpy(bitmap.bmp.data() + kBmpHeader, rows_.data(), bytes);
-  return bitmap;
+  return bmp;
 }
 
 }  // namespace aspect

@@ -1,4 +1,4 @@
-#include "runtime/output/preview_picture.h"
+#include "runtime/workbench/frame_picture.h"
 
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -53,7 +53,7 @@ TEST_CASE("pure red is red in every format") {
   }
 }
 
-TEST_CASE("a picture is scaled into its bounds, keeps its shape and is fetched once") {
+TEST_CASE("a picture is scaled into its bounds and keeps its shape") {
   struct Case {
     int width_px, height_px, shown_width_px, shown_height_px;
   };
@@ -66,25 +66,16 @@ TEST_CASE("a picture is scaled into its bounds, keeps its shape and is fetched o
       bytes[3 * k + 2] = static_cast<int>(k) % size.width_px >= size.width_px / 2 ? 200 : 0;
     const Frame frame{bytes.data(), size.width_px, size.height_px, size.width_px * 3,
                       PixelFormat::rgb8};
-    PreviewPicture picture;
-    CHECK_FALSE(picture.wanted());
-    CHECK_FALSE(picture.fetch({}));
-    CHECK(picture.wanted());
-    picture.show(frame, 41);
-    CHECK_FALSE(picture.wanted());
-    CHECK_FALSE(picture.fetch(41));
-    CHECK(picture.wanted());
-    const auto bitmap = picture.fetch(40);
-    REQUIRE(bitmap);
-    CHECK(bitmap->line == 41);
+    const std::string bmp =
+        bitmap_of(frame, size_within({size.width_px, size.height_px}, {320, 240}));
     std::int32_t width = 0, height = 0;
-    std::memcpy(&width, bitmap->bmp.data() + 18, 4);
-    std::memcpy(&height, bitmap->bmp.data() + 22, 4);
+    std::memcpy(&width, bmp.data() + 18, 4);
+    std::memcpy(&height, bmp.data() + 22, 4);
     CHECK(width == size.shown_width_px);
     CHECK(height == -size.shown_height_px);
     const auto row = static_cast<std::size_t>((width * 3 + 3) / 4 * 4);
-    REQUIRE(bitmap->bmp.size() == 54 + row * static_cast<std::size_t>(-height));
-    const char* const last_row = bitmap->bmp.data() + bitmap->bmp.size() - row;
+    REQUIRE(bmp.size() == 54 + row * static_cast<std::size_t>(-height));
+    const char* const last_row = bmp.data() + bmp.size() - row;
     CHECK(last_row[0] == 0);
     CHECK(static_cast<unsigned char>(last_row[3 * (width - 1)]) == 200);
   }
