@@ -122,11 +122,12 @@ ChainSums sums_of(const ContourChain& chain) {
   return s;
 }
 
-Moments free_of_scale(const ChainSums& s) {
-  const double second = s.pixels * s.length * s.length, third = second * s.length;
-  const auto scaled = [](double sum, double by) { return static_cast<float>(sum / by); };
-  return {scaled(s.xx, second), scaled(s.xy, second), scaled(s.yy, second), scaled(s.xxx, third),
-          scaled(s.xxy, third), scaled(s.xyy, third), scaled(s.yyy, third)};
+// See graph_node.h.
+Moments divided_moments(const ChainSums& s) {
+  const double by = s.pixels * s.length * s.length;
+  const auto divided = [by](double sum) { return static_cast<float>(sum / by); };
+  return {divided(s.xx),  divided(s.xy),  divided(s.yy), divided(s.xxx),
+          divided(s.xxy), divided(s.xyy), divided(s.yyy)};
 }
 
 }  // namespace
@@ -156,9 +157,9 @@ AttributeVector attributes_of(const ContourChain& chain) {
   attributes[0] =
       std::llround(std::abs(s.twice_area) / 2 + s.pixels / 2 + (s.length > 0 ? 1 : 0.5));
   if (s.length > 0) {
-    const std::array<float, 4> hu = hu_invariants(free_of_scale(s));
+    const std::array<float, 4> hu = hu_invariants(divided_moments(s));
     for (std::size_t k = 0; k < 4; ++k)
-      attributes[1 + k] = std::llround(static_cast<double>(hu[k]) * (k < 2 ? 1e6 : 1e12));
+      attributes[1 + k] = std::llround(static_cast<double>(hu[k]) * 1e6);
   }
   attributes[5] = static_cast<std::int64_t>(s.x / s.pixels);
   attributes[6] = static_cast<std::int64_t>(s.y / s.pixels);

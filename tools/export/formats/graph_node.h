@@ -11,11 +11,12 @@
 // - cg is the mean of the contour's pixels, cut to whole pixels. y points up: it is 0 in the last
 //   row of the picture.
 // - mm are Hu's first four moment invariants of the contour's pixels, not of the region: the
-//   example's ratios mm2 / mm1^2 and mm3 / mm4 come out to the last digit. How they are made free
-//   of scale could not be told. Here mu_pq is divided by the number of pixels and the p+q-th power
-//   of the contour's length (straight steps 1, diagonal ones sqrt 2), and mm1 and mm2 are in
-//   millionths, mm3 and mm4 in billionths of a thousandth: every rectangle has mm1 = 20833. Of the
-//   example mm1 comes out 2 to 3 % and mm2 5 % too large, mm3 and mm4 2.8 times as large.
+//   example's ratios mm2 / mm1^2 and mm3 / mm4 come out to the last digit. What they are divided by
+//   could not be told but nearly: here every mu_pq is divided by the number of pixels and the
+//   square of the contour's length (straight steps 1, diagonal ones sqrt 2), those of third order
+//   as well, as the example's two contours are in that proportion; and all are in millionths. So
+//   every rectangle has mm1 = 20833. Of the example mm1 comes out 2 to 3 % and mm2 5 % too large,
+//   mm3 and mm4 12 % too small.
 // - cr is the mean colour, 0 to 255 a channel. The example's brightest channel is always 255, as
 //   its pictures were brightened before; here it is the colour in the picture.
 // - The shapes seen in the examples are cir, sqr and tri. Contours that are none of them are oth.
