@@ -29,7 +29,6 @@ const Sample& sample() {
     static Sample fresh;
     CompileOptions options = options_of_level(2);
     options.min_level = 1;
-    options.scoring = Scoring::area;
     const Result<CompiledIndex> compiled =
         compile(small_scene(fresh.folder), options, fresh.store, {}, nullptr);
     REQUIRE(compiled.ok());
