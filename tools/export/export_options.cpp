@@ -41,10 +41,11 @@ void add_options(CLI::App& app, ExportOptions& options, std::vector<std::string>
   app.add_option("store", options.store, "store of a finished compilation")
       ->required()
       ->type_name("FILE.store");
-  app.add_option("folder", options.folder, "where the files go")->required()->type_name("DIR");
-  app.add_option("--level", options.level,
-                 "the model as it was at this level, without views on borders as in the thesis, "
-                 "0 to 10 [the store's]")
+  app.add_option("folder", options.folder, "where the files go")->required()->type_name("FOLDER");
+  app.add_option(
+         "--level", options.level,
+         "the model as it was when this level was complete: without views on borders, as in "
+         "the thesis; 0 to 10 [the store's]")
       ->check(CLI::Range(0, kMostLevel).description(""))
       ->type_name("N");
   take_words(app.add_option("--format", formats, "write this one; repeat it for more [all]")

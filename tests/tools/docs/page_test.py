@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ("aspectc", "aspect-replay", "aspectd", "aspect-eval", "aspect-score", "aspect-bench")
+PROGRAMS = ("aspectc", "aspect-replay", "aspectd", "aspect-eval", "aspect-export", "aspect-score", "aspect-bench")
 
 
 def blocks(text):
