@@ -9,7 +9,7 @@ namespace aspect {
 namespace {
 
 constexpr const char* kDescription =
-    "Writes the model in a store as text files, in the formats of the thesis's appendix A.2.";
+    "Writes the model in a store as text files: those of the thesis's appendix A.2.";
 
 constexpr const char* kFooter = R"(
 The files, with NAME the object's, N the level and +X+Y+Z the direction of a view:
