@@ -35,22 +35,21 @@ Result<Subdivision> subdivided(const std::filesystem::path& path, const Recipe& 
 
 }  // namespace
 
-Result<StoredModel> open_stored_model(const std::filesystem::path& store,
+Result<StoredModel> open_stored_model(const std::filesystem::path& store, Recipe recipe,
                                       const StoredModelSettings& settings) {
-  Result<Recipe> recipe = read_recipe(store, settings.scene);
-  if (!recipe) return Error{recipe.error()};
-  CompileOptions& options = recipe.value().options;
+  CompileOptions& options = recipe.options;
   if (settings.level)
     if (Result<Done> done = lower_level(store, *settings.level, options); !done)
       return Error{done.error()};
+  if (!settings.border_views) options.border_views = 0;
   const int threads = settings.jobs > 0 ? settings.jobs : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
-  const Scene& scene = recipe.value().scene;
+  const Scene& scene = recipe.scene;
   Result<Renderer> renderer = Renderer::create(scene);
   if (!renderer) return Error{fmt::format("{}: {}", store.string(), renderer.error())};
   Result<Subdivision> subdivision = subdivided(
-      store, recipe.value(),
+      store, recipe,
       {renderer.value(), scene.studio, options, nullptr, settings.show_progress, settings.stop});
   if (!subdivision) return Error{subdivision.error()};
   std::vector<Cluster> clusters = find_clusters(subdivision.value(), options);
@@ -65,8 +64,8 @@ Result<StoredModel> open_stored_model(const std::filesystem::path& store,
   for (const Cluster& cluster : clusters)
     classes.push_back(describe_class(subdivision.value(), cluster, types, options.scoring));
   return StoredModel{
-      std::move(recipe).value(), std::move(renderer).value(), std::move(subdivision).value(),
-      std::move(clusters),       std::move(sphere_classes),   std::move(types),
+      std::move(recipe),   std::move(renderer).value(), std::move(subdivision).value(),
+      std::move(clusters), std::move(sphere_classes),   std::move(types),
       std::move(classes)};
 }
 

@@ -15,10 +15,10 @@
 namespace aspect {
 
 struct StoredModelSettings {
-  // Below the store's: the model as it was when that level was complete, without views on edges,
-  // as in the thesis.
+  // Below the store's: the model as it was when that level was complete. It has no views on edges
+  // then, of which the store has the last level's alone.
   std::optional<int> level;
-  std::optional<Scene> scene;  // where the store's cannot be read again
+  bool border_views = true;    // false: without views on edges, as in the thesis
   int jobs = 0;                // threads; 0: as many as there are cores. Changes no result
   ShowProgress show_progress;  // may be empty
   const std::atomic<bool>* stop = nullptr;
@@ -28,16 +28,16 @@ struct StoredModel {
   Recipe recipe;  // its options with the level above
   Renderer renderer;
   Subdivision subdivision;
-  std::vector<Cluster>
-      clusters;  // the classes of the index, in its order, and those left out of it
+  std::vector<Cluster> clusters;  // the index's classes in its order, and those that it leaves out
   SphereClasses sphere_classes;
   std::vector<TypeAttributes> types;
   std::vector<ClassDescription> classes;  // one a cluster
 };
 
-// Renders nothing and leaves the store as it is, as long as it is complete; views that it has lost
-// are made again and added. The same classes and types as compile() finds. Errors name the store.
-Result<StoredModel> open_stored_model(const std::filesystem::path& store,
+// `recipe` is the store's. Renders nothing and leaves the store as it is, as long as it is
+// complete; views that it has lost are made again and added. The same classes and types as
+// compile() finds. Errors name the store.
+Result<StoredModel> open_stored_model(const std::filesystem::path& store, Recipe recipe,
                                       const StoredModelSettings& settings);
 
 }  // namespace aspect

@@ -48,7 +48,8 @@ TEST_CASE("a store's model has the types and classes of its index, and nothing i
   const ClassIndex index = compiled(scene, options, store);
   const auto views = [&] { return Store::open_existing(store).value().contents().value().views; };
   const std::size_t before = views();
-  const StoredModel model = open_stored_model(store, {}).value();
+  const Recipe recipe = read_recipe(store).value();
+  const StoredModel model = open_stored_model(store, recipe, {}).value();
   check_same(model, index);
   CHECK(model.subdivision.statistics.views_rendered == 0);
   CHECK(model.subdivision.statistics.matches_executed == 0);
@@ -57,13 +58,13 @@ TEST_CASE("a store's model has the types and classes of its index, and nothing i
   lower.level = 2;
   options.level = options.min_level = 2;
   options.border_views = 0;
-  const StoredModel coarse = open_stored_model(store, lower).value();
+  const StoredModel coarse = open_stored_model(store, recipe, lower).value();
   check_same(coarse, compiled(scene, options));
   CHECK(coarse.subdivision.views.size() == 162);
   CHECK(views() == before);
 
   lower.level = 4;
-  CHECK_THAT(open_stored_model(store, lower).error(),
+  CHECK_THAT(open_stored_model(store, recipe, lower).error(),
              Contains("l_shape.store: its model goes to level 3, not 4"));
 }
 

@@ -42,12 +42,15 @@ void add_options(CLI::App& app, ExportOptions& options, std::vector<std::string>
       ->required()
       ->type_name("FILE.store");
   app.add_option("folder", options.folder, "where the files go")->required()->type_name("FOLDER");
-  app.add_option(
-         "--level", options.level,
-         "the model as it was when this level was complete: without views on borders, as in "
-         "the thesis; 0 to 10 [the store's]")
+  app.add_option("--level", options.level,
+                 "the model as it was when this level was complete; below the store's without "
+                 "views on borders, 0 to 10 [the store's]")
       ->check(CLI::Range(0, kMostLevel).description(""))
       ->type_name("N");
+  app.add_flag(
+      "--without-borders", options.without_borders,
+      "without views on borders between aspects, as the thesis's models are; the classes are "
+      "not the index's then");
   take_words(app.add_option("--format", formats, "write this one; repeat it for more [all]")
                  ->allow_extra_args(false)
                  ->expected(1)

@@ -17,6 +17,7 @@ inline constexpr std::array<std::string_view, 8> kExportFormats = {"sgm", "chn8"
 struct ExportOptions {
   std::filesystem::path store, folder;
   std::optional<int> level;
+  bool without_borders = false;
   std::set<std::string, std::less<>> formats;  // of the above; empty: all
   std::string scene;                           // or a project; empty: the store's
   int jobs = 0;

@@ -19,17 +19,22 @@ namespace {
 
 constexpr const char* kStopped = "stopped before anything was replaced; run it again";
 
+Result<Recipe> recipe_of(const ExportOptions& options) {
+  if (options.scene.empty()) return read_recipe(options.store);
+  const Result<Scene> scene = read_prepared_scene(options.scene);
+  if (!scene) return Error{scene.error()};
+  return read_recipe(options.store, scene.value());
+}
+
 Result<StoredModel> open_model(const ExportOptions& options, const std::atomic<bool>* stop) {
+  Result<Recipe> recipe = recipe_of(options);
+  if (!recipe) return Error{recipe.error()};
   StoredModelSettings settings;
   settings.level = options.level;
+  settings.border_views = !options.without_borders;
   settings.jobs = options.jobs;
   settings.stop = stop;
-  if (!options.scene.empty()) {
-    Result<Scene> scene = read_prepared_scene(options.scene);
-    if (!scene) return Error{scene.error()};
-    settings.scene = std::move(scene).value();
-  }
-  return open_stored_model(options.store, settings);
+  return open_stored_model(options.store, std::move(recipe).value(), settings);
 }
 
 // The views one after the other: graphs and chain codes as files, attributes kept.

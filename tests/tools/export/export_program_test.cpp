@@ -75,7 +75,11 @@ TEST_CASE("a level below the store's is the thesis's model, without views on bor
   REQUIRE(run_export(here.path(), words).exit_code == 0);
   CHECK(files_in(here / "files") == Words{"l_shape.1.part", "l_shape.1.vert", "l_shape.class"});
   CHECK_THAT(read_file(here / "files/l_shape.1.vert"), StartsWith("42\n3 -1.0000000000 "));
-  words.back() = "3";
+  words = quick("thesis");
+  words.emplace_back("--without-borders");
+  REQUIRE(run_export(here.path(), words).exit_code == 0);
+  CHECK_THAT(read_file(here / "thesis/l_shape.2.vert"), StartsWith("162\n"));
+  words.insert(words.end(), {"--level", "3"});
   check_fails(run_export(here.path(), words), {"l_shape.store: its model goes to level 2, not 3"});
 }
 

@@ -45,7 +45,8 @@ const std::filesystem::path& sample_store() {
 }
 
 const StoredModel& sample_model() {
-  static const StoredModel model = open_stored_model(sample_store(), {}).value();
+  static const StoredModel model =
+      open_stored_model(sample_store(), read_recipe(sample_store()).value(), {}).value();
   return model;
 }
 
