@@ -9,8 +9,8 @@
 // first is superimposed on, lies inside or lies outside of (surrounds) the second. @rep tells for
 // each letter of the code how often it was found: once.
 //
-// Centres of regions decide the direction, and the nodes' cg are those of contours: of BLOCKCYL2 and
-// TRUCK 7 to 8 arcs of 100 have a code that is one off from what cg says.
+// Centres of regions decide the direction, and the nodes' cg are those of contours: of BLOCKCYL2
+// and TRUCK 7 to 8 arcs of 100 have a code that is one off from what cg says.
 //
 // What the appendix leaves open: the three numbers, which are taken for the graph's in the file,
 // always 1, the arc's, from 1 on, and how many arcs the entry stands for, always 1. A node without

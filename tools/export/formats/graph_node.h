@@ -15,8 +15,8 @@
 //   could not be told but nearly: here every mu_pq is divided by the number of pixels and the
 //   square of the contour's length (straight steps 1, diagonal ones sqrt 2), those of third order
 //   as well, as the example's two contours are in that proportion; and all are in millionths. So
-//   every rectangle has mm1 = 20833. Of the example mm1 comes out 2 to 3 % and mm2 5 % too large,
-//   mm3 and mm4 12 % too small.
+//   every rectangle has mm1 = 20833, but mm3 and mm4 grow with the contour in the picture. Of the
+//   example mm1 comes out 2 to 3 % and mm2 5 % too large, mm3 and mm4 12 % too small.
 // - cr is the mean colour, 0 to 255 a channel. The example's brightest channel is always 255, as
 //   its pictures were brightened before; here it is the colour in the picture.
 // - The shapes seen in the examples are cir, sqr and tri. Contours that are none of them are oth.

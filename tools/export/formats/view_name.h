@@ -17,7 +17,7 @@ std::string view_name(const Direction3& direction, int decimals = 3);
 
 // One for each, no two alike. Views on the borders between aspects lie closer than the thesis's,
 // and three decimals may not tell them apart: those that share a name have as many decimals more as
-// that takes. Directions that are equal but for the last bits have no name of their own: the same.
+// that takes. Equal directions have the same name.
 std::vector<std::string> view_names(std::span<const Direction3> directions);
 
 // Nothing where it is not the name of a view.
