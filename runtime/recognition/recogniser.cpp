@@ -8,9 +8,7 @@
 namespace aspect {
 namespace {
 
-// Classes that go on to the fit of their key views.
-constexpr std::size_t kMaxCandidates = 512;
-// Of these, before second views and what is joined come to them.
+// Of kMaxShortlist, before second views and what is joined come to them.
 constexpr std::size_t kMaxLikely = 192;
 
 // What reaches from border to border both ways is what stands behind.
@@ -64,7 +62,7 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   class_matcher_.prepare(arena, indexes);
   bounds_.prepare(arena, indexes);
   likely_ = arena.take<LikelyClass>(kMaxLikely);
-  candidates_ = arena.take<Hypothesis>(kMaxCandidates);
+  candidates_ = arena.take<Hypothesis>(kMaxShortlist);
   const auto top = static_cast<std::size_t>(parameters_.top);
   // What is found anywhere comes on top, until it is known which blobs it explains.
   const std::size_t found =

@@ -108,6 +108,8 @@ struct Recognition {
 };
 
 inline constexpr int kMaxHypotheses = 64;
+// Classes that go on to the fit of their key views, or are ranked.
+inline constexpr std::size_t kMaxShortlist = 512;
 
 class Recogniser {
  public:

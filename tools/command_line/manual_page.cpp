@@ -15,9 +15,10 @@ constexpr std::string_view kExitStatus =
     "wrong usage.";
 constexpr std::string_view kEnvironment =
     "Colours are for terminals alone, and not where TERM is dumb or NO_COLOR is set and not empty.";
-constexpr std::array<std::string_view, 7> kFamily = {
-    "aspectc(1)",       "aspect-bench(1)", "aspect-eval(1)", "aspect-replay(1)",
-    "aspect-report(1)", "aspect-score(1)", "aspectd(8)"};
+constexpr std::array<std::string_view, 9> kFamily = {
+    "aspectc(1)",       "aspect-bench(1)",  "aspect-calibrate(1)",
+    "aspect-eval(1)",   "aspect-export(1)", "aspect-replay(1)",
+    "aspect-report(1)", "aspect-score(1)",  "aspectd(8)"};
 
 // Nothing in it is a request or an escape; a minus is one that can be copied.
 std::string escaped(std::string_view text) {

@@ -22,6 +22,7 @@
 #include "tools/replay/replay_page.h"
 #include "tools/replay/serve.h"
 #include "tools/replay/stage_pictures.h"
+#include "tools/replay/thesis_index.h"
 
 namespace aspect {
 namespace {
@@ -36,13 +37,14 @@ class FrameLoop {
  public:
   FrameLoop(std::span<const ClassIndex> indexes, const RecogniserParameters& parameters,
             const StagePictures& pictures, Console& console, FrameExplainer* explainer,
-            std::optional<BopRows> bop, std::unique_ptr<ReplayPage> page)
+            std::optional<BopRows> bop, std::unique_ptr<ReplayPage> page, bool thesis_index)
       : indexes_(indexes),
         recogniser_(indexes, parameters),
         pictures_(pictures),
         console_(console),
         line_(std::make_unique_for_overwrite<char[]>(kLineBytes)),
         explainer_(explainer),
+        thesis_index_(thesis_index),
         bop_(std::move(bop)),
         page_(std::move(page)) {
     if (bop_) writes_ = put(BopRows::head());
@@ -97,6 +99,7 @@ class FrameLoop {
       if (!rows) return console_.fail(rows.error()), true;
       return put(rows.value());
     }
+    if (thesis_index_) return put(thesis_index_text(frame.name, recognition, indexes_.front()));
     const FrameLabel label = {frame.name, frame.sequence, frame.width_px, frame.height_px};
     const std::size_t length = write_recognition_json(label, recognition, indexes_,
                                                       {line_.get(), kLineBytes}, explanations_);
@@ -116,6 +119,7 @@ class FrameLoop {
   Console& console_;
   std::unique_ptr<char[]> line_;
   FrameExplainer* explainer_;  // null: nobody asked
+  bool thesis_index_;
   std::vector<std::string> explanations_;
   std::uint64_t last_sequence_ = 0;
   bool writes_ = true;                // false: the output has gone
@@ -158,13 +162,20 @@ Result<Configuration> configuration_of(const ReplayOptions& options) {
   return read_configuration(*options.configuration);
 }
 
-Result<RecogniserParameters> parameters_for(const ReplayOptions& options, const ClassIndex& first) {
+Result<RecogniserParameters> parameters_for(const ReplayOptions& options,
+                                            std::span<const ClassIndex> indexes) {
   const Result<Configuration> configuration = configuration_of(options);
   if (!configuration) return Error{configuration.error()};
   RecogniserParameters parameters;
-  parameters.vision = first.vision;
+  parameters.vision = indexes.front().vision;
   configuration.value().apply(parameters);
   options.recognition.apply(parameters);
+  if (options.thesis_index && indexes.size() > 1)
+    return Error{
+        fmt::format("--thesis-index: classes of {} objects would have the same numbers; give one "
+                    "index at a time",
+                    indexes.size())};
+  if (options.thesis_index) rank_as_thesis(indexes.front(), parameters);
   TrackingParameters& tracking = parameters.tracking;
   if (tracking.on && options.explain && !options.explain->empty())
     return Error{"--explain " + *options.explain +
@@ -212,7 +223,7 @@ int replay(const ReplayOptions& options) {
     test_indexes(indexes, console);
     return console.failures() == 0 ? 0 : kFailed;
   }
-  const auto parameters = parameters_for(options, indexes.front());
+  const auto parameters = parameters_for(options, indexes);
   if (!parameters) return console.fail(parameters.error()), kFailed;
   if (options.serve) {
     auto configuration = configuration_of(options);
@@ -232,7 +243,7 @@ int replay(const ReplayOptions& options) {
 
   RecordedFrames frames(options.frames, parameters.value().vision.sensor);
   FrameLoop loop(indexes, parameters.value(), pictures.value(), console, explainer.value().get(),
-                 std::move(bop).value(), std::move(page).value());
+                 std::move(bop).value(), std::move(page).value(), options.thesis_index);
   Pace pace(options.pace_fps);
   const bool finished = process_all(frames, pace, loop, console);
   loop.finish();

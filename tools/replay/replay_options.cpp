@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "tools/command_line/command_line.h"
+#include "tools/command_line/terminal_colour.h"
 
 namespace aspect {
 namespace {
@@ -77,6 +78,14 @@ step. Its address is printed, with a token without which nothing can be changed;
 other machines cannot. [output.http] of --config gives address, port and record, unless they are
 given here. What is changed holds until it is written to the file of --config, which the page does
 when it is told to, and keeps the old one as FILE.toml.1.
+
+--thesis-index writes .index of the thesis's appendix A.2 in place of JSON: for each object seen a
+line with the frame's name (:2 and so on behind it for further objects of a frame; blanks and % as
+%20 and %25), then one for each class, the best first: its number, from 1 on as in the files of
+aspect-export, its score, and its matches SEEN-KNOWN(WEIGHT): number in the frame, in the class from
+0 on, and in how many views of the class that contour is of that type. Classes are ranked by their
+score alone; --matching simple is the thesis's findclass, weighted its findclass_weighted. For one
+index of one object.
 
 Exit code: 0 all frames were processed, or all indexes passed the self test; 1 a frame or an index
 failed (one line each on standard error; the others are processed all the same), 2 wrong usage.
@@ -211,6 +220,13 @@ void add_recognition(CLI::App& app, RawOptions& raw) {
                       "order by the best key view, or by the class's score alone [views]");
 }
 
+void add_thesis_index(CLI::App& app, RawOptions& raw) {
+  CLI::Option* option = app.add_flag("--thesis-index", raw.options.thesis_index,
+                                     "write results in the thesis's format in place of JSON");
+  for (const char* other : {"--ranking", "--track", "--self-test", "--bop", "--html"})
+    option->excludes(app.get_option(other));
+}
+
 void add_outputs(CLI::App& app, RawOptions& raw) {
   constexpr double kMostFps = 1000, kLeastFps = 0.001;
   app.add_option("--overlay", raw.overlay,
@@ -316,6 +332,12 @@ void add_page(CLI::App& app, RawOptions& raw) {
       ->type_name("FOLDER")
       ->group("Page")
       ->needs(serve);
+
+std::string fault_of_thesis_index(const RawOptions& raw) {
+  if (!raw.options.thesis_index) return {};
+  if (raw.options.explain) return "excludes --explain; leave one of them out";
+  if (raw.indexes.size() > 1) return "numbers the classes of one object; give one --index";
+  return {};
 }
 
 ReplayOptions finished(RawOptions raw) {
@@ -345,6 +367,8 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_outputs(app, raw);
   add_bop(app, raw);
   add_page(app, raw);
+
+  add_thesis_index(app, raw);
   const std::vector<std::string> words = with_names_attached(argc, argv);
   std::vector<const char*> word_starts;
   word_starts.reserve(words.size());
@@ -352,6 +376,10 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   if (const auto exit_code =
           parse_command_line(app, static_cast<int>(word_starts.size()), word_starts.data()))
     return *exit_code;
+  if (const std::string fault = fault_of_thesis_index(raw); !fault.empty()) {
+    print_failure("aspect-replay", "--thesis-index: " + fault);
+    return kUsageError;
+  }
   return finished(std::move(raw));
 }
 

@@ -22,6 +22,7 @@ struct ReplayOptions {
   std::optional<std::string> explain;  // empty: only what was chosen
   std::optional<BopIds> bop;           // rows in place of lines
   bool self_test = false;              // instead of frames
+  bool thesis_index = false;           // instead of lines of JSON
   bool serve = false;                  // frames over and over on a page
   std::optional<std::string> address;  // of the page
   std::optional<int> port;

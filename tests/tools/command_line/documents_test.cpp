@@ -30,6 +30,7 @@ std::vector<Page> pages() {
   std::vector<Page> all = {{"aspectc", "1", {"aspectc"}},
                            {"aspect-replay", "1", {"aspect-replay"}},
                            {"aspect-eval", "1", {"aspect-eval"}},
+                           {"aspect-export", "1", {"aspect-export"}},
                            {"aspect-report", "1", {"aspect-report"}},
                            {"aspect-score", "1", {"aspect-score"}},
                            {"aspectd", "8", {"aspectd"}}};

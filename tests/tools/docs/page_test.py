@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 PROGRAMS = ("aspectc", "aspect-replay", "aspectd", "aspect-eval", "aspect-report", "aspect-score", "aspect-bench",
-            "aspect-calibrate")
+            "aspect-calibrate", "aspect-export")
 
 
 def blocks(text):
