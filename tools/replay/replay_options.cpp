@@ -333,27 +333,27 @@ void add_page(CLI::App& app, RawOptions& raw) {
       ->group("Page")
       ->needs(serve);
 
-std::string fault_of_thesis_index(const RawOptions& raw) {
-  if (!raw.options.thesis_index) return {};
-  if (raw.options.explain) return "excludes --explain; leave one of them out";
-  if (raw.indexes.size() > 1) return "numbers the classes of one object; give one --index";
-  return {};
-}
+  std::string fault_of_thesis_index(const RawOptions& raw) {
+    if (!raw.options.thesis_index) return {};
+    if (raw.options.explain) return "excludes --explain; leave one of them out";
+    if (raw.indexes.size() > 1) return "numbers the classes of one object; give one --index";
+    return {};
+  }
 
-ReplayOptions finished(RawOptions raw) {
-  ReplayOptions options = std::move(raw.options);
-  options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
-  options.frames.assign(raw.frames.begin(), raw.frames.end());
-  if (!raw.configuration.empty()) options.configuration = raw.configuration;
-  if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
-  if (!raw.dump.empty()) options.dump_folder = raw.dump;
-  if (!raw.page.empty()) options.page_folder = raw.page;
-  if (!raw.truth.empty()) options.truth = raw.truth;
-  if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
-  if (!raw.bop.empty()) options.bop = bop_ids(raw);
-  if (!raw.record.empty()) options.record_folder = raw.record;
-  return options;
-}
+  ReplayOptions finished(RawOptions raw) {
+    ReplayOptions options = std::move(raw.options);
+    options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
+    options.frames.assign(raw.frames.begin(), raw.frames.end());
+    if (!raw.configuration.empty()) options.configuration = raw.configuration;
+    if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
+    if (!raw.dump.empty()) options.dump_folder = raw.dump;
+    if (!raw.page.empty()) options.page_folder = raw.page;
+    if (!raw.truth.empty()) options.truth = raw.truth;
+    if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
+    if (!raw.bop.empty()) options.bop = bop_ids(raw);
+    if (!raw.record.empty()) options.record_folder = raw.record;
+    return options;
+  }
 
 }  // namespace
 
