@@ -223,7 +223,7 @@ void add_recognition(CLI::App& app, RawOptions& raw) {
 void add_thesis_index(CLI::App& app, RawOptions& raw) {
   CLI::Option* option = app.add_flag("--thesis-index", raw.options.thesis_index,
                                      "write results in the thesis's format in place of JSON");
-  for (const char* other : {"--ranking", "--track", "--self-test", "--bop", "--html"})
+  for (const char* other : {"--ranking", "--track", "--self-test", "--bop", "--html", "--serve"})
     option->excludes(app.get_option(other));
 }
 
@@ -332,28 +332,29 @@ void add_page(CLI::App& app, RawOptions& raw) {
       ->type_name("FOLDER")
       ->group("Page")
       ->needs(serve);
+}
 
-  std::string fault_of_thesis_index(const RawOptions& raw) {
-    if (!raw.options.thesis_index) return {};
-    if (raw.options.explain) return "excludes --explain; leave one of them out";
-    if (raw.indexes.size() > 1) return "numbers the classes of one object; give one --index";
-    return {};
-  }
+std::string fault_of_thesis_index(const RawOptions& raw) {
+  if (!raw.options.thesis_index) return {};
+  if (raw.options.explain) return "excludes --explain; leave one of them out";
+  if (raw.indexes.size() > 1) return "numbers the classes of one object; give one --index";
+  return {};
+}
 
-  ReplayOptions finished(RawOptions raw) {
-    ReplayOptions options = std::move(raw.options);
-    options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
-    options.frames.assign(raw.frames.begin(), raw.frames.end());
-    if (!raw.configuration.empty()) options.configuration = raw.configuration;
-    if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
-    if (!raw.dump.empty()) options.dump_folder = raw.dump;
-    if (!raw.page.empty()) options.page_folder = raw.page;
-    if (!raw.truth.empty()) options.truth = raw.truth;
-    if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
-    if (!raw.bop.empty()) options.bop = bop_ids(raw);
-    if (!raw.record.empty()) options.record_folder = raw.record;
-    return options;
-  }
+ReplayOptions finished(RawOptions raw) {
+  ReplayOptions options = std::move(raw.options);
+  options.indexes.assign(raw.indexes.begin(), raw.indexes.end());
+  options.frames.assign(raw.frames.begin(), raw.frames.end());
+  if (!raw.configuration.empty()) options.configuration = raw.configuration;
+  if (!raw.overlay.empty()) options.overlay_folder = raw.overlay;
+  if (!raw.dump.empty()) options.dump_folder = raw.dump;
+  if (!raw.page.empty()) options.page_folder = raw.page;
+  if (!raw.truth.empty()) options.truth = raw.truth;
+  if (!raw.symmetries.empty()) options.symmetries = raw.symmetries;
+  if (!raw.bop.empty()) options.bop = bop_ids(raw);
+  if (!raw.record.empty()) options.record_folder = raw.record;
+  return options;
+}
 
 }  // namespace
 
@@ -367,7 +368,6 @@ std::variant<ReplayOptions, int> parse_replay_options(int argc, const char* cons
   add_outputs(app, raw);
   add_bop(app, raw);
   add_page(app, raw);
-
   add_thesis_index(app, raw);
   const std::vector<std::string> words = with_names_attached(argc, argv);
   std::vector<const char*> word_starts;
