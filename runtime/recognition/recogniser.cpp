@@ -225,6 +225,9 @@ std::size_t Recogniser::shortlist(std::span<const ContourFeature> features) {
 std::size_t Recogniser::find_views(std::span<const ContourFeature> features,
                                    std::span<Hypothesis> room) {
   bounds_.set_contours(features);
+  // What leaves most of what is seen alone is no fit.
+  constexpr float kWorth = 0.6F;
+  const float worth = kWorth * bounds_.most_cost();
   const auto less = [](const LikelyClass& a, const LikelyClass& b) {
     if (a.least_cost != b.least_cost) return a.least_cost < b.least_cost;
     return a.index != b.index ? a.index < b.index : a.class_id < b.class_id;
@@ -235,7 +238,7 @@ std::size_t Recogniser::find_views(std::span<const ContourFeature> features,
   const auto end = [&] { return begin + static_cast<std::ptrdiff_t>(count); };
   for (std::size_t i = 0; i < indexes_.size() && !deadline_.is_over(); ++i) {
     // Once there are too many, a heap with the least likely on top.
-    const auto bar = [&] { return count < most ? bounds_.most_cost() : likely_[0].least_cost; };
+    const auto bar = [&] { return count < most ? worth : likely_[0].least_cost; };
     if (bounds_.least_cost(i) >= bar()) continue;
     for (std::size_t c = 0; c < indexes_[i].classes.size(); ++c) {
       const LikelyClass likely{bounds_.least_cost(i, c), static_cast<std::uint16_t>(i),

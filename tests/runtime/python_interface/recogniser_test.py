@@ -236,14 +236,16 @@ class Opening(unittest.TestCase):
                              .recognise(frame)[0].hypotheses), 2)
 
     def test_no_key_of_the_tables_is_missing(self):
-        for table, source in ((aspect.options.SEGMENTATION, "segmentation_table.cpp"),
-                              (aspect.options.RECOGNITION, "configuration.cpp")):
-            text = (SOURCE / "runtime/service" / source).read_text()
-            if source == "configuration.cpp":
-                text = text[text.index("read_recognition("):]
-                text = text[:text.index("return reader.finish()")]
-            keys = set(re.findall(r'reader\.read\("(\w+)"', text)) | set(re.findall(r'kKey = "(\w+)"', text))
-            self.assertEqual(keys, set(table))
+        def text_of(source):
+            return (SOURCE / "runtime/service" / source).read_text()
+
+        keys = set(re.findall(r'SegmentationValue\{"(\w+)"', text_of("segmentation_values.cpp")))
+        keys |= set(re.findall(r'kKey = "(\w+)"', text_of("segmentation_table.cpp")))
+        self.assertEqual(keys, set(aspect.options.SEGMENTATION))
+        text = text_of("configuration.cpp")
+        text = text[text.index("read_recognition("):]
+        text = text[:text.index("return reader.finish()")]
+        self.assertEqual(set(re.findall(r'reader\.read\("(\w+)"', text)), set(aspect.options.RECOGNITION))
 
     def test_a_camera_is_a_dict_or_what_opencv_gives(self):
         frame = rgb_frame()
