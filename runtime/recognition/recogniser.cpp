@@ -19,15 +19,20 @@ bool fills_frame(const Box& box, const Frame& frame) {
 }
 
 // A speck of one colour looks like many things, and so does any patch of one beside something that
-// takes up much of the picture, and a scrap of two that the picture's border cuts off.
-bool says_little(const Blob& blob, std::size_t contours, const Blob& largest, const Frame& frame) {
+// takes up much of the picture, a scrap of two that the picture's border cuts off, and what reaches
+// from one border to the other where few of its contours have a part in what it may be (`matched`).
+bool says_little(const Blob& blob, std::size_t contours, int matched, const Blob& largest,
+                 const Frame& frame) {
   constexpr float kLeastArea_px = 1000, kMuch = 0.2F;
   const float frame_px = static_cast<float>(frame.width_px) * static_cast<float>(frame.height_px);
-  const bool is_scrap =
-      contours < 3 && blob.area_px < 2 * kLeastArea_px &&
-      (blob.box.x <= 0 || blob.box.y <= 0 || blob.box.x + blob.box.width >= frame.width_px ||
-       blob.box.y + blob.box.height >= frame.height_px);
-  if (is_scrap) return true;
+  const bool left = blob.box.x <= 0, top = blob.box.y <= 0,
+             right = blob.box.x + blob.box.width >= frame.width_px,
+             bottom = blob.box.y + blob.box.height >= frame.height_px;
+  const bool is_scrap = contours < 3 && blob.area_px < 2 * kLeastArea_px;
+  if (is_scrap && (left || top || right || bottom)) return true;
+  constexpr std::size_t kFew = 4;  // of so many contours one
+  if (((left && right) || (top && bottom)) && kFew * static_cast<std::size_t>(matched) < contours)
+    return true;
   return contours < 2 && (blob.area_px < kLeastArea_px ||
                           (&blob != &largest && largest.area_px > kMuch * frame_px));
 }
@@ -174,7 +179,8 @@ SeenObject Recogniser::recognise_blob(const Frame& frame, const ViewGraph& graph
                     judge(hypotheses, indexes_, parameters_.confidence_min), hypotheses,
                     blob_place};
   if (object.judgement.verdict != Verdict::none && looks_anywhere() &&
-      says_little(blob, count, graph.blobs.front(), frame))
+      says_little(blob, count, hypotheses.empty() ? 0 : hypotheses[0].matched, graph.blobs.front(),
+                  frame))
     object.judgement.verdict = Verdict::unknown;
   // Something that it was not held against may explain it as well, or better.
   if (deadline_.is_over()) {
