@@ -11,14 +11,19 @@ namespace {
 constexpr const char* kDescription =
     "Shows a compiled model on one HTML page: the object and its viewing sphere to turn by hand, "
     "every aspect with its views, contours, graph and neighbours, how much of the sphere is "
-    "covered, "
-    "and what aspectc explain says.";
+    "covered, and what aspectc explain says. Or all frames of a replay: what was seen in each, and "
+    "why.";
 
 constexpr const char* kFooter = R"(
 The page is one file that any browser shows, without a network. The views are made again from the
 store, and the pictures rendered again from its scene; the store stays as it is. The views that the
 model is tried on, and the cure, are those of aspectc explain with the same options. The same store
 and options give the same page.
+
+Of lines of aspect-replay (.ndjson, .jsonl) the page has what aspect-replay --html would write, as
+far as the lines know it: with --explain they know why, contours are not in them. Pictures are
+looked for where the lines name them, then from the lines' own folder; where one is gone that is
+said. With --index models are drawn.
 
 Figures in --figures, each an SVG file of its own: object, sphere (the thesis's six projections),
 sphere_patches, sphere_tried_views, coverage, areas, confusions, and aspect_000 and so on.
@@ -27,18 +32,38 @@ Exit code: 0 done, 1 a file was no good (one line on standard error), 2 wrong us
 
 Examples:
   aspect-report part.store
-  aspect-report part.store -o report.html --figures figures)";
+  aspect-report part.store -o report.html --figures figures
+  aspect-report found.ndjson --index part.aspect --truth truth.csv)";
 
 struct RawOptions {
   ReportOptions options;
-  std::string input, output, figures, scene;
+  std::string input, output, figures, scene, configuration, truth, symmetries;
+  std::vector<std::string> indexes;
 };
+
+void add_line_options(CLI::App& app, RawOptions& raw) {
+  app.add_option("--index", raw.indexes, "of lines: index of an object in them; repeat it for more")
+      ->type_name("FILE.aspect")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--config", raw.configuration,
+                 "of lines: [camera] in TOML, as it was given to aspect-replay")
+      ->type_name("FILE.toml");
+  CLI::Option* truth =
+      app.add_option("--truth", raw.truth, "of lines: what is right, as aspect-score takes it")
+          ->type_name("FILE.csv");
+  app.add_option("--symmetries", raw.symmetries,
+                 "with --truth: rotations that leave objects as they are")
+      ->needs(truth)
+      ->type_name("FILE");
+}
 
 void add_options(CLI::App& app, RawOptions& raw) {
   ExplainSettings& trials = raw.options.settings.trials;
-  app.add_option("input", raw.input, "store of a finished compilation")
+  app.add_option("input", raw.input, "store of a finished compilation, or lines of aspect-replay")
       ->required()
-      ->type_name("FILE.store");
+      ->type_name("FILE.store|FILE.ndjson");
   app.add_option("-o,--output", raw.output, "page to write [the input's name with .html]")
       ->type_name("FILE.html");
   app.add_option("--figures", raw.figures, "write every figure as SVG to this folder as well")
@@ -68,12 +93,15 @@ std::variant<ReportOptions, int> parse_report_options(int argc, const char* cons
   app.set_version_flag("--version", "aspect-report " ASPECT_VERSION);
   RawOptions raw;
   add_options(app, raw);
+  add_line_options(app, raw);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
   ReportOptions options = std::move(raw.options);
   options.input = raw.input;
   options.output = raw.output;
   options.figures = raw.figures;
   options.settings.scene = raw.scene;
+  options.lines = {
+      {raw.indexes.begin(), raw.indexes.end()}, raw.configuration, raw.truth, raw.symmetries};
   if (options.output.empty()) options.output = options.input.filename().replace_extension(".html");
   return options;
 }

@@ -5,6 +5,7 @@
 #include "compiler/store/store.h"
 #include "tools/aspectc/commands/whole_file.h"
 #include "tools/command_line/terminal_colour.h"
+#include "tools/report/report_lines.h"
 #include "tools/report/report_page.h"
 
 namespace aspect {
@@ -43,11 +44,14 @@ Result<Done> report_store(const ReportOptions& options) {
 Result<Done> report(const ReportOptions& options) {
   std::error_code unknown;
   if (!fs::exists(options.input, unknown))
-    return Error{options.input.string() +
-                 ": is not there; give the store of a finished compilation"};
+    return Error{
+        options.input.string() +
+        ": is not there; give the store of a finished compilation, or lines of aspect-replay"};
+  if (holds_lines(options.input)) return report_lines(options);
   if (is_store(options.input)) return report_store(options);
   return Error{options.input.string() +
-               ": is no store of aspectc; compile the scene and give the store beside the index"};
+               ": is no store of aspectc and not named as lines of aspect-replay are (.ndjson); "
+               "compile the scene and give the store beside the index"};
 }
 
 }  // namespace
