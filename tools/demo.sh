@@ -3,7 +3,8 @@
 # recognises recorded frames that something else rendered (POV-Ray) or photographed. Installs and
 # builds what that needs and no more.
 # usage: tools/demo.sh [--short|--fine]    --short: coarser indexes, as CI runs it; --fine: finer
-# Leaves everything in build/demo, the contact sheets as rendered.png, cluttered.png and real.png.
+# Leaves everything in build/demo: contact sheets as rendered.png, cluttered.png and real.png, and a
+# page of each for a browser, with the reasons for every answer, as rendered.page/index.html and so on.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 level=4 compiling='1 minute'
@@ -49,7 +50,8 @@ recognise() {
   shift
   for name in "$@"; do indexes+=(--index "$out/$name.aspect"); done
   "$bin/aspect-replay" "${indexes[@]}" --config "tests/data/$set/$config" \
-    --overlay "$out/$set" "tests/data/$set/frames" >"$out/$set.ndjson"
+    --overlay "$out/$set" --html "$out/$set.page" --truth "tests/data/$set/truth.csv" "${scoring[@]}" \
+    "tests/data/$set/frames" >"$out/$set.ndjson"
   "$bin/aspect-score" "tests/data/$set/truth.csv" "$out/$set.ndjson" --table \
     --sheet "$out/$set.png" --overlays "$out/$set" "${scoring[@]}"
 }
@@ -67,4 +69,4 @@ recognise cluttered camera.toml --symmetries tests/data/rendered/symmetries.csv 
   -- cube l_shape blockcyl1 blockcyl2 pegblock
 echo "-- photographs"
 recognise real segmentation.toml -- rubik_03 rubik_04
-echo "== done in $(((SECONDS - begun) / 60)) min $(((SECONDS - begun) % 60)) s; pictures: $out/rendered.png $out/cluttered.png $out/real.png"
+echo "== done in $(((SECONDS - begun) / 60)) min $(((SECONDS - begun) % 60)) s; pictures: $out/rendered.png $out/cluttered.png $out/real.png; for a browser: $out/{rendered,cluttered,real}.page/index.html"
