@@ -28,7 +28,7 @@ build_packages=(
 test_packages=(
   catch2 python3 python3-pil                             # tests
   mandoc zsh                                             # which read manual pages and completions
-  chromium chromium-driver                              # which read pages
+  chromium chromium-driver fonts-dejavu-core            # which read pages
   libdxflib-dev                                          # whose colours ours are compared with
   povray                                                 # the renderer that ours is compared with
   mosquitto                                              # the broker that MQTT is tested with
