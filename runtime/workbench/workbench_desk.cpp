@@ -218,8 +218,17 @@ PageAnswer Desk::view(std::optional<std::uint64_t> after) {
 }
 
 PageAnswer Desk::act(std::string_view action, const std::string& text) {
-  const Json asked = Json::parse(text, nullptr, false);
-  if (!asked.is_object()) return refused("the body is no JSON object", kBad);
+  // Nothing that is sent is deep, and what is deep takes the stack when it goes.
+  constexpr int kMostDepth = 8;
+  bool is_deep = false;
+  const Json asked = Json::parse(
+      text,
+      [&](int depth, Json::parse_event_t, Json&) {
+        is_deep = is_deep || depth > kMostDepth;
+        return depth <= kMostDepth;
+      },
+      false);
+  if (is_deep || !asked.is_object()) return refused("the body is no JSON object", kBad);
   if (action == "settings") return change(asked);
   if (action == "forget") return forget();
   if (action == "control") return set_control(asked);

@@ -180,7 +180,7 @@ Result<std::string> read_text_file(const std::filesystem::path& file) {
   if (*size > kMostBytes)
     return Error{
         fmt::format("{}: has {} bytes; at most {} are read", file.string(), *size, kMostBytes)};
-  std::string text(*size, '\0');
+  std::string text(static_cast<std::size_t>(*size), '\0');
   if (!input.read(std::span(reinterpret_cast<std::uint8_t*>(text.data()), text.size())))
     return Error{file.string() + ": cannot be read to its end; check the disk"};
   return text;
