@@ -10,7 +10,6 @@
 #include "compiler/aspects/symmetry.h"
 #include "compiler/index/calibration.h"
 #include "compiler/index/class_model.h"
-#include "compiler/index/contour_types.h"
 #include "compiler/index/golden_choice.h"
 #include "compiler/index/index_bytes.h"
 #include "compiler/recipe.h"
@@ -38,13 +37,12 @@ class StageClock {
 };
 
 // Views and matches, by way of the store, which is complete and closed on return.
-Result<Subdivision> subdivided(const Scene& scene, std::uint64_t scene_hash,
+Result<Subdivision> subdivided(const Scene& scene,
                                const std::optional<std::filesystem::path>& store_path,
                                Workshop workshop) {
   if (!store_path) return subdivide(workshop);
   const CompileOptions& options = workshop.options;
-  Result<Store> store = Store::open(*store_path, {fmt::format("{:016x}", scene_hash),
-                                                  options.store_key(), ASPECT_VERSION, scene.name});
+  Result<Store> store = Store::open(*store_path, store_key_of(scene, options));
   if (!store) return Error{store.error()};
   workshop.store = &store.value();
   Result<Subdivision> subdivision = subdivide(workshop);
@@ -77,7 +75,6 @@ Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& opti
                                   static_cast<std::size_t>(threads));
   CompileStatistics statistics{scene.name,        options.vision.sensor,     options.level,
                                options.threshold, options.cluster_threshold, threads};
-  const std::uint64_t scene_hash = scene_hash_of(scene);
   Progress progress;
   const ShowProgress show = [&](const Progress& now) {
     progress = now;
@@ -89,7 +86,7 @@ Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& opti
   const Result<Renderer> renderer = Renderer::create(scene);
   if (!renderer) return Error{scene.name + ": " + renderer.error()};
   const Workshop workshop{renderer.value(), scene.studio, options, nullptr, show, stop};
-  Result<Subdivision> subdivided_sphere = subdivided(scene, scene_hash, store_path, workshop);
+  Result<Subdivision> subdivided_sphere = subdivided(scene, store_path, workshop);
   if (!subdivided_sphere) return Error{subdivided_sphere.error()};
   Subdivision& subdivision = subdivided_sphere.value();
   statistics.subdivision = subdivision.statistics;
@@ -113,19 +110,15 @@ Result<LearntModel> compile_model(const Scene& scene, const CompileOptions& opti
   statistics.symmetry_views = symmetries.views_rendered;
   statistics.seconds.symmetry = clock.stage_s();
 
-  std::vector<TypeAttributes> types = find_contour_types(
-      contour_samples(subdivision, clusters), static_cast<std::size_t>(options.contour_types));
-  std::vector<ClassDescription> classes;
-  for (const Cluster& cluster : clusters)
-    classes.push_back(describe_class(subdivision, cluster, types, options.scoring));
+  auto [types, classes] = describe_classes(subdivision, clusters, options);
   if (stopped()) return interrupted;
   statistics.seconds.types = clock.stage_s();
 
   const std::vector<GoldenFrame> golden =
       golden_candidates(workshop, subdivision, clusters, classes);
   WrittenIndex index =
-      write_index({scene, scene_hash, options, subdivision, clusters, sphere_classes, classes,
-                   types, symmetries, golden, packed_model(scene)});
+      write_index({scene, scene_hash_of(scene), options, subdivision, clusters, sphere_classes,
+                   classes, types, symmetries, golden, packed_model(scene)});
   statistics.index = index.statistics;
   if (const auto calibration = calibration_of(workshop, scene, index.bytes))
     set_calibration(index.bytes, *calibration);

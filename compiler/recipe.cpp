@@ -121,6 +121,10 @@ std::uint64_t scene_hash_of(const Scene& scene) {
   return hash;
 }
 
+StoreKey store_key_of(const Scene& scene, const CompileOptions& options) {
+  return {hash_text(scene), options.store_key(), ASPECT_VERSION, scene.name};
+}
+
 std::string options_text(const CompileOptions& options) {
   std::string text;
   each_option(options, [&](const char* name, const auto& value) {

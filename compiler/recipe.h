@@ -19,6 +19,9 @@ struct Recipe {
 // FNV-1a of the scene's source.
 std::uint64_t scene_hash_of(const Scene& scene);
 
+// Of the store that holds this scene's views by these options.
+StoreKey store_key_of(const Scene& scene, const CompileOptions& options);
+
 Result<Done> keep_recipe(Store& store, const Scene& scene, const CompileOptions& options);
 
 // The recipe of a store. The scene is read from the text that the store keeps, or where that is not

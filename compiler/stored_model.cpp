@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "compiler/index/contour_types.h"
-
 namespace aspect {
 namespace {
 
@@ -25,9 +23,7 @@ Result<Done> lower_level(const std::filesystem::path& store, int level, CompileO
 // Only the store's own views and matches: it stays open no longer.
 Result<Subdivision> subdivided(const std::filesystem::path& path, const Recipe& recipe,
                                Workshop workshop) {
-  Result<Store> store =
-      Store::open(path, {fmt::format("{:016x}", scene_hash_of(recipe.scene)),
-                         recipe.options.store_key(), ASPECT_VERSION, recipe.scene.name});
+  Result<Store> store = Store::open(path, store_key_of(recipe.scene, recipe.options));
   if (!store) return Error{store.error()};
   workshop.store = &store.value();
   return subdivide(workshop);
@@ -57,12 +53,7 @@ Result<StoredModel> open_stored_model(const std::filesystem::path& store, Recipe
     return Error{fmt::format("{}: has no aspects at level {}; compile the scene deeper",
                              store.string(), options.level)};
   SphereClasses sphere_classes = divide_borders(subdivision.value(), options, clusters);
-  std::vector<TypeAttributes> types =
-      find_contour_types(contour_samples(subdivision.value(), clusters),
-                         static_cast<std::size_t>(options.contour_types));
-  std::vector<ClassDescription> classes;
-  for (const Cluster& cluster : clusters)
-    classes.push_back(describe_class(subdivision.value(), cluster, types, options.scoring));
+  auto [types, classes] = describe_classes(subdivision.value(), clusters, options);
   return StoredModel{
       std::move(recipe),   std::move(renderer).value(), std::move(subdivision).value(),
       std::move(clusters), std::move(sphere_classes),   std::move(types),

@@ -81,6 +81,17 @@ ClassDescription describe_class(const Subdivision& subdivision, const Cluster& c
   return description;
 }
 
+DescribedClasses describe_classes(const Subdivision& subdivision, std::span<const Cluster> clusters,
+                                  const CompileOptions& options) {
+  DescribedClasses described;
+  described.types = find_contour_types(contour_samples(subdivision, clusters),
+                                       static_cast<std::size_t>(options.contour_types));
+  for (const Cluster& cluster : clusters)
+    described.classes.push_back(
+        describe_class(subdivision, cluster, described.types, options.scoring));
+  return described;
+}
+
 std::vector<std::size_t> choose_key_views(const Subdivision& subdivision, const Cluster& cluster,
                                           std::size_t typical_view, double spacing_rad) {
   const auto position = [&](std::size_t i) -> const Eigen::Vector3d& {

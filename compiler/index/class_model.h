@@ -35,6 +35,14 @@ std::vector<TypeAttributes> contour_samples(const Subdivision& subdivision,
 ClassDescription describe_class(const Subdivision& subdivision, const Cluster& cluster,
                                 std::span<const TypeAttributes> types, Scoring scoring);
 
+// The contour types of all clusters, and each described by them.
+struct DescribedClasses {
+  std::vector<TypeAttributes> types;
+  std::vector<ClassDescription> classes;  // one a cluster
+};
+DescribedClasses describe_classes(const Subdivision& subdivision, std::span<const Cluster> clusters,
+                                  const CompileOptions& options);
+
 // Views of a cluster so chosen that none is farther than `spacing_rad` from a chosen one, the
 // typical view first, then always the farthest from those before: indices into cluster.views.
 // O(views * chosen).

@@ -12,28 +12,23 @@
 #include <cstring>
 #include <exception>
 
+#include "runtime/base/write_all.h"
+
 namespace aspect {
 namespace {
 
 constexpr rlim_t kMaxBytes = rlim_t{8} << 30, kMaxSeconds = 300;
 constexpr char kMesh = 'M', kError = 'E';
 
-void write_all(int descriptor, const void* data, std::size_t bytes) {
-  const char* next = static_cast<const char*>(data);
-  while (bytes > 0) {
-    const ssize_t count = ::write(descriptor, next, bytes);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) ::_exit(1);
-    next += count;
-    bytes -= static_cast<std::size_t>(count);
-  }
+void write_bytes(int descriptor, const void* data, std::size_t bytes) {
+  if (!write_all(descriptor, {static_cast<const char*>(data), bytes})) ::_exit(1);
 }
 
 template <typename Value>
 void write_list(int descriptor, const std::vector<Value>& list) {
   const std::uint64_t count = list.size();
-  write_all(descriptor, &count, sizeof count);
-  write_all(descriptor, list.data(), list.size() * sizeof(Value));
+  write_bytes(descriptor, &count, sizeof count);
+  write_bytes(descriptor, list.data(), list.size() * sizeof(Value));
 }
 
 void write_text(int descriptor, const std::string& text) {
@@ -41,7 +36,7 @@ void write_text(int descriptor, const std::string& text) {
 }
 
 void write_mesh(int descriptor, const ColouredMesh& mesh) {
-  write_all(descriptor, &kMesh, 1);
+  write_bytes(descriptor, &kMesh, 1);
   write_list(descriptor, mesh.vertices);
   write_list(descriptor, mesh.triangles);
   write_list(descriptor, mesh.colours);
@@ -86,7 +81,7 @@ void write_mesh(int descriptor, const ColouredMesh& mesh) {
   } catch (const std::exception& error) {
     failure = std::string("cannot be read (") + error.what() + "); export it again";
   }
-  write_all(descriptor, &kError, 1);
+  write_bytes(descriptor, &kError, 1);
   write_text(descriptor, failure);
   write_text(descriptor, file);
   write_list(descriptor, std::vector<std::uint64_t>{line});

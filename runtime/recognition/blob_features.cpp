@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/recognition/seen_colours.h"
 #include "runtime/vision/vision_limits.h"
 
 namespace aspect {
@@ -23,14 +24,14 @@ bool is_alike(const Contour& a, const Contour& b, const VisionParameters& parame
   const auto sum = [](const Contour& c) {
     return std::max(1.0F, c.mean_rgb[0] + c.mean_rgb[1] + c.mean_rgb[2]);
   };
-  const float sum_a = sum(a), sum_b = sum(b);
+  const std::array<float, 3> share_a = share_of(a.mean_rgb), share_b = share_of(b.mean_rgb);
   float difference = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    difference = std::max(difference, std::abs(a.mean_rgb[k] / sum_a - b.mean_rgb[k] / sum_b));
+    difference = std::max(difference, std::abs(share_a[k] - share_b[k]));
   constexpr float kFull = 255;
   return difference * kFull <=
          static_cast<float>(parameters.chroma_step) +
-             static_cast<float>(parameters.noise_steps) * kFull / std::min(sum_a, sum_b);
+             static_cast<float>(parameters.noise_steps) * kFull / std::min(sum(a), sum(b));
 }
 
 // Sums of a contour's pixels about `origin_px`, up to the third order.

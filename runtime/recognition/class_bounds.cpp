@@ -90,7 +90,7 @@ void ClassBounds::set_contours(std::span<const ContourFeature> seen) {
   for (std::size_t i = 0; i < seen_count_; ++i) {
     const ContourFeature& feature = seen[i];
     seen_[i] = {feature.share, feature.area, portable_hypot(feature.position.x, feature.position.y),
-                scales_.missing + scales_.missing_area * feature.area};
+                scales_.alone(feature.area)};
     most_cost_ += seen_[i].alone;
   }
 }

@@ -24,6 +24,7 @@ std::uint16_t nearest_type(const ClassIndex& index, const ContourFeature& featur
 
 class ClassMatcher {
  public:
+  // For most_matched() only.
   void prepare(Arena& arena, std::span<const ClassIndex> indexes);
 
   // Types of a frame's contours in one index; match() then works with these.

@@ -64,8 +64,10 @@ void Recogniser::prepare(Arena& arena, std::span<const ClassIndex> indexes,
   parameters_.top = std::clamp(parameters.top, 1, kMaxHypotheses);
   has_room_for_one_ = parameters.vision.one_blob;
   vision_.prepare(arena, width_px, height_px, parameters_.vision.sensor);
-  class_matcher_.prepare(arena, indexes);
-  bounds_.prepare(arena, indexes);
+  if (parameters_.ranking == RecogniserParameters::Ranking::classes)
+    class_matcher_.prepare(arena, indexes);
+  else
+    bounds_.prepare(arena, indexes);
   likely_ = arena.take<LikelyClass>(kMaxLikely);
   candidates_ = arena.take<Hypothesis>(kMaxShortlist);
   const auto top = static_cast<std::size_t>(parameters_.top);

@@ -42,10 +42,6 @@ float axis_rad(const Moments& m) {
 
 }  // namespace
 
-float ViewFitter::alone(float area) const {
-  return scales_.missing + scales_.missing_area * area;
-}
-
 void ViewFitter::set_contours(std::span<const ContourFeature> seen) {
   seen_ = seen.first(std::min(seen.size(), kMaxSide));
   constexpr float kLeastLever = 0.08F;
@@ -53,7 +49,7 @@ void ViewFitter::set_contours(std::span<const ContourFeature> seen) {
   float best = 0, second = 0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const float area = seen_[i].area, distance = radius(seen_[i].position);
-    of_seen_[i] = {alone(area), distance, in_blob(seen_[i].moments, area)};
+    of_seen_[i] = {scales_.alone(area), distance, in_blob(seen_[i].moments, area)};
     const float lever = distance * std::sqrt(seen_[i].area);
     if (distance < kLeastLever || lever <= second) continue;
     if (lever > best) {
@@ -151,7 +147,7 @@ float ViewFitter::evaluate(std::span<const KeyContour> key, Turn turn, float giv
   for (std::size_t i = 0; i < seen_.size(); ++i) total += of_seen_[i].alone;
   for (std::size_t k = 0; k < key.size(); ++k) {
     const ContourFeature& b = key[k].feature;
-    const float key_alone = alone(b.area);
+    const float key_alone = scales_.alone(b.area);
     total += key_alone;
     const Point2 place = turning(b.position);
     std::optional<Moments> shape;  // most have no partner that it must be known for

@@ -21,6 +21,8 @@ struct ViewFitScales {
   float missing = 6.0F;     // cost of a contour without partner, and
   float missing_area = 40;  // on top of it for all of the blob's area
   float roll = 0.15F;       // cost of standing on the head: cameras are seldom rolled by chance
+
+  float alone(float contour_area) const { return missing + missing_area * contour_area; }
 };
 
 struct ViewFit {
@@ -47,7 +49,6 @@ class ViewFitter {
   float add_shape(float cost, const Moments& a, const Moments& b) const;
   double most_weight(std::size_t columns) const;
   Turn aligned(std::span<const KeyContour> key, const Assignment& assignment, Turn otherwise) const;
-  float alone(float area) const;
 
   static constexpr std::size_t kMaxTurns = 24;
   ViewFitScales scales_;

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstring>
 
+#include "runtime/base/write_all.h"
 #include "runtime/output/descriptor.h"
 
 namespace aspect {
@@ -123,15 +124,10 @@ std::optional<Error> write_new(int folder, const fs::path& path, const std::stri
   const Descriptor file(
       ::openat(folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
   if (!file) return not_written(path / name);
-  while (!content.empty()) {
-    const ssize_t count = ::write(file.get(), content.data(), content.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      const Error error = not_written(path / name);
-      ::unlinkat(folder, name.c_str(), 0);
-      return error;
-    }
-    content.remove_prefix(static_cast<std::size_t>(count));
+  if (!write_all(file.get(), content)) {
+    const Error error = not_written(path / name);
+    ::unlinkat(folder, name.c_str(), 0);
+    return error;
   }
   return std::nullopt;
 }

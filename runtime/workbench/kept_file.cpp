@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "runtime/base/write_all.h"
 #include "runtime/output/descriptor.h"
 
 namespace aspect {
@@ -20,16 +21,6 @@ Error not_written(const fs::path& file) {
       fmt::format("{}: cannot be written ({}); check the rights of its folder and the room on "
                   "the disk",
                   file.native(), system_error())};
-}
-
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return ::fsync(descriptor) == 0;
 }
 
 fs::path aged(const fs::path& file, int age) {
@@ -77,7 +68,8 @@ Result<fs::path> replace_and_keep(const fs::path& name, std::string_view text) {
     if (!written) return not_written(file);
     // The owner may not be ours to give.
     [[maybe_unused]] const int given = ::fchown(written.get(), status.st_uid, status.st_gid);
-    if (::fchmod(written.get(), status.st_mode & 07777U) != 0 || !write_all(written.get(), text))
+    if (::fchmod(written.get(), status.st_mode & 07777U) != 0 || !write_all(written.get(), text) ||
+        ::fsync(written.get()) != 0)
       error = not_written(file);
   }
   const fs::path kept = aged(file, 1);

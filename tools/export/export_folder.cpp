@@ -10,22 +10,14 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/base/write_all.h"
+
 namespace aspect {
 namespace {
 
 Error not_written(const std::filesystem::path& file, int reason) {
   return {fmt::format("{}: cannot be written ({}); check the folder and the space left",
                       file.string(), std::strerror(reason))};
-}
-
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
 }
 
 constexpr std::string_view kAside = ".aspect-export.";

@@ -7,7 +7,7 @@
 
 #include "compiler/aspects/portions.h"
 #include "compiler/stored_model.h"
-#include "tools/aspectc/project/prepared_object.h"
+#include "tools/aspectc/project/store_recipe.h"
 #include "tools/export/described_view.h"
 #include "tools/export/export_folder.h"
 #include "tools/export/formats/means_file.h"
@@ -19,15 +19,8 @@ namespace {
 
 constexpr const char* kStopped = "stopped before anything was replaced; run it again";
 
-Result<Recipe> recipe_of(const ExportOptions& options) {
-  if (options.scene.empty()) return read_recipe(options.store);
-  const Result<Scene> scene = read_prepared_scene(options.scene);
-  if (!scene) return Error{scene.error()};
-  return read_recipe(options.store, scene.value());
-}
-
 Result<StoredModel> open_model(const ExportOptions& options, const std::atomic<bool>* stop) {
-  Result<Recipe> recipe = recipe_of(options);
+  Result<Recipe> recipe = recipe_of_store(options.store, options.scene);
   if (!recipe) return Error{recipe.error()};
   StoredModelSettings settings;
   settings.level = options.level;

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/write_all.h"
+
 namespace aspect {
 namespace {
 
@@ -73,12 +75,7 @@ Error StreamedFile::failed(int reason) {
 }
 
 std::optional<Error> StreamedFile::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor_, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return failed(errno);
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
+  if (!write_all(descriptor_, text)) return failed(errno);
   return std::nullopt;
 }
 

@@ -8,18 +8,10 @@
 #include <cstring>
 #include <string>
 
+#include "runtime/base/write_all.h"
+
 namespace aspect {
 namespace {
-
-bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-  return ::fsync(descriptor) == 0;
-}
 
 Error not_written(const std::filesystem::path& file, int reason) {
   return {fmt::format("{}: cannot be written ({}); check the folder and the space left",
@@ -61,7 +53,8 @@ Result<Done> write_whole_file(const std::filesystem::path& file,
   };
   const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return failed(errno);
-  const bool written = write_all(descriptor, bytes);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const bool written = write_all(descriptor, text) && ::fsync(descriptor) == 0;
   const int reason = errno;
   ::close(descriptor);
   if (!written) return failed(reason);
